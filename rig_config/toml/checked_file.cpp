@@ -102,12 +102,13 @@ Loaded<std::string> read_file(const std::string& path) {
     return Problems{{path, 0, 0, "/", "cannot be read: " + why + nearest_file(path)}};
   if (!fs::is_regular_file(path, error))
     return Problems{{path, 0, 0, "/", "cannot be read: is a device or a pipe, not a file"}};
-  if (auto why = no_text_trouble(path); !why.empty())
-    return Problems{{path, 0, 0, "/", std::move(why)}};
+  auto why = no_text_trouble(path);
   const auto size = fs::file_size(path, error);
   if (size > largest_file)
-    return Problems{
-        {path, 0, 0, "/", fmt::format("has {} bytes, allowed: up to {}", size, largest_file)}};
+    return Problems{{path, 0, 0, "/",
+                     fmt::format("has {} bytes, allowed: up to {}{}", size, largest_file,
+                                 why.empty() ? "" : "; it " + why)}};
+  if (!why.empty()) return Problems{{path, 0, 0, "/", std::move(why)}};
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   if (!(text << in.rdbuf())) return Problems{{path, 0, 0, "/", "cannot be read to its end"}};
