@@ -65,7 +65,8 @@ PacketLines::Conversation& PacketLines::conversation(const NetworkSegment& segme
 
 std::optional<PacketLines::Piece> PacketLines::read_network(const CapturedPacket& packet) {
   const auto payload = link_payload(packet.link_type, packet.bytes);
-  if (payload && is_fragment(*payload)) return ++fragments_, std::nullopt;
+  if (const auto sender = payload ? sender_of_fragment(*payload) : ""; !sender.empty())
+    return ++fragments_[sender], std::nullopt;
   const auto segment = payload ? network_segment(*payload) : std::nullopt;
   if (!segment || (segment->payload.empty() && !segment->begins)) return {};
   if (segment->payload.empty() && !conversations_.contains({segment->sender, segment->receiver}))
@@ -82,11 +83,14 @@ std::string PacketLines::damage(const std::string& line) const {
   std::uint64_t lost = 0;
   for (const auto& [ends, talk] : conversations_)
     if (line == "*" || lines_[talk.line].name == line) lost += talk.order.lost_bytes();
+  std::uint64_t fragments = 0;
+  for (const auto& [sender, count] : fragments_)
+    if (line == "*" || line.starts_with(sender + ":")) fragments += count;
   std::string text;
   if (lost > 0) text = fmt::format("{} bytes of TCP are not in the file", lost);
-  if (fragments_ > 0)
+  if (fragments > 0)
     text += fmt::format("{}{} fragments of IP packets passed over", text.empty() ? "" : "; ",
-                        fragments_);
+                        fragments);
   return text;
 }
 

@@ -39,8 +39,8 @@ class PacketLines {
   std::optional<Piece> finish();
 
   const std::vector<Line>& lines() const { return lines_; }
-  /// In words, what of a line is not there: bytes that nobody recorded, and of all lines packets in
-  /// fragments. Empty: nothing. `line`: a name, or "*".
+  /// In words, what of a line is not there: bytes that nobody recorded, and fragments of its
+  /// sender. Empty: nothing. `line`: a name, or "*".
   std::string damage(const std::string& line) const;
 
  private:
@@ -59,7 +59,7 @@ class PacketLines {
   std::variant<Pcap, Pcapng> file_;
   std::vector<Line> lines_;
   std::map<std::pair<std::string, std::string>, Conversation> conversations_;
-  std::uint64_t fragments_ = 0;  ///< of IP packets; they are passed over
+  std::map<std::string, std::uint64_t> fragments_;  ///< passed over, by the sender's address
 };
 
 }  // namespace drydock::capture

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cstring>
 #include <system_error>
 
 #include "drivers/capture/format.hpp"
@@ -59,9 +58,10 @@ bool is_interface(std::string_view text) {
 /// network (10.0.0.7:16171).
 bool is_recorded_line(std::string_view text) {
   constexpr std::size_t longest = 64;
+  static constexpr std::string_view others = "_-.:/[]";
   return !text.empty() && text.size() <= longest &&
          std::all_of(text.begin(), text.end(), [](unsigned char c) {
-           return std::isalnum(c) != 0 || std::strchr("_-.:/[]", c) != nullptr;
+           return std::isalnum(c) != 0 || others.find(static_cast<char>(c)) != others.npos;
          });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <set>
+#include <span>
 #include <stdexcept>
 
 #include "drivers/diagnosis/monitors/device_monitor.hpp"
@@ -30,9 +31,9 @@ constexpr double usual_length_s = 600;  ///< spaces the curves of a file whose l
 class CaptureBench final : public device::Listener, public device::Transmitter {
  public:
   CaptureBench(const rig_config::Rig& rig, std::vector<std::unique_ptr<device::Device>> devices,
-               Stamp start)
+               std::span<const shell::RecordingClock> clocks, Stamp start)
       : clock_(start), examination_(rig, start, usual_length_s) {
-    for (auto& device : devices) add(std::move(device), start);
+    for (std::size_t i = 0; i < devices.size(); ++i) add(std::move(devices[i]), clocks[i], start);
     std::vector<const device::Device*> all;
     for (const auto& actor : actors_) all.push_back(&actor->device());
     examination_.follow(followers_, std::move(all));
@@ -49,7 +50,8 @@ class CaptureBench final : public device::Listener, public device::Transmitter {
   }
 
  private:
-  void add(std::unique_ptr<device::Device> device, Stamp start) {
+  void add(std::unique_ptr<device::Device> device, const shell::RecordingClock& clock,
+           Stamp start) {
     const auto uri = link::parse_uri(device->options().link).value();
     const bool on_bus = device->on_bus();
     actors_.push_back(std::make_unique<shell::DeviceActor>(std::move(device), *this, *this, start,
@@ -57,9 +59,9 @@ class CaptureBench final : public device::Listener, public device::Transmitter {
     shell::DeviceActor& driver = *actors_.back();
     if (heard_.insert(uri.text).second) driver.tap(followers_);  // each link once
     if (on_bus)
-      files_.push_back(std::make_unique<shell::RecordedBus>(uri, driver, start));
+      files_.push_back(std::make_unique<shell::RecordedBus>(uri, driver, start, clock));
     else
-      files_.push_back(std::make_unique<shell::RecordedLine>(uri, driver, start));
+      files_.push_back(std::make_unique<shell::RecordedLine>(uri, driver, start, clock));
     clock_.add(driver);
     clock_.add(*files_.back());
   }
@@ -127,7 +129,7 @@ Outcome read_capture(const std::string& path, unsigned baud) {
   const Stamp start = timed != clocks.end()       ? timed->first
                       : devices.front()->on_bus() ? clocks.front().first
                                                   : Stamp{};  // bytes begin at zero
-  auto outcome = CaptureBench(rig, std::move(devices), start).play(path, has_times);
+  auto outcome = CaptureBench(rig, std::move(devices), clocks, start).play(path, has_times);
   if (std::ranges::count_if(rig.devices, has_axes) > 1)
     outcome.notes.emplace_back(
         "a capture tells no mountings: what one sensor says against another holds where their axes "

@@ -89,12 +89,16 @@ std::optional<NetworkSegment> segment_of(const Transport& transport) {
 
 }  // namespace
 
-bool is_fragment(const LinkPayload& packet) {
+std::string sender_of_fragment(const LinkPayload& packet) {
+  constexpr std::size_t ipv4_header = 20, ipv6_header = 40;
   constexpr std::uint16_t more_or_offset = 0x3FFF;
   const Bytes bytes = packet.bytes;
-  if (packet.protocol == protocol_ipv4)
-    return bytes.size() >= 8 && (half(bytes, 6) & more_or_offset) != 0;
-  return packet.protocol == protocol_ipv6 && bytes.size() > 6 && bytes[6] == ipv6_fragment;
+  if (packet.protocol == protocol_ipv4 && bytes.size() >= ipv4_header &&
+      (half(bytes, 6) & more_or_offset) != 0)
+    return address_text(AF_INET, bytes.subspan(12, 4));
+  if (packet.protocol == protocol_ipv6 && bytes.size() >= ipv6_header && bytes[6] == ipv6_fragment)
+    return address_text(AF_INET6, bytes.subspan(8, 16));
+  return "";
 }
 
 std::optional<NetworkSegment> network_segment(const LinkPayload& packet) {

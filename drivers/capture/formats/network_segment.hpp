@@ -16,8 +16,9 @@ struct NetworkSegment {
   wire::Bytes payload;
 };
 
-/// True for a piece of an IP packet: a datagram that is not whole is none.
-bool is_fragment(const LinkPayload& packet);
+/// The sender's address, without a port, of a piece of an IP packet: a datagram that is not whole
+/// is none. Empty: the packet is whole.
+std::string sender_of_fragment(const LinkPayload& packet);
 
 /// Empty: neither TCP nor UDP, a fragment behind the first, or cut short in its headers. Of a
 /// packet cut short in its payload that which is there.

@@ -103,6 +103,7 @@ TEST(NetworkLines, PiecesOfADatagramAreCountedAndNotRead) {
                 false);
   EXPECT_EQ(all_of(line), "$GNTHS,244.17,A*1D\r\n");
   EXPECT_EQ(line.damage(), "1 fragments of IP packets passed over");
+  EXPECT_EQ(line.damage("10.1.1.11:50000"), "");  // of another sender
 }
 
 TEST(NetworkLines, WhatIsMissingInAStreamIsSaid) {

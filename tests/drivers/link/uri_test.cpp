@@ -157,6 +157,14 @@ TEST(Uri, ARecordingMayNameEveryFormatOfCaptures) {
             "\"file:can.cap?format=zip\": bad format \"zip\"; allowed: " + allowed);
 }
 
+TEST(Uri, ARecordingMayNameALineOfAFileOfPackets) {
+  for (const char* line : {"can1", "/dev/ttyUSB0", "10.0.0.7:16171", "[fe80::1]:9002"})
+    EXPECT_TRUE(parse_uri(std::string("file:dive.pcapng?interface=") + line)) << line;
+  EXPECT_FALSE(parse_uri("file:dive.pcapng?interface=a b"));
+  EXPECT_FALSE(parse_uri(std::string("file:dive.pcapng?interface=a\0b", 32)));
+  EXPECT_FALSE(parse_uri("udp:127.0.0.1:9?interface=/dev/ttyUSB0"));
+}
+
 TEST(Uri, ARecordingsKeysFitWhatItIsToCarry) {
   const auto misfit = [](const char* uri, Carries what) {
     return recording_misfit(parse_uri(uri).value(), what);
