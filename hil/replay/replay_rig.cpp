@@ -22,6 +22,7 @@
 #include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/recording_progress.hpp"
 #include "hil/replay/reference_check.hpp"
+#include "hil/replay/replay_account.hpp"
 #include "hil/replay/replay_bench.hpp"
 #include "hil/replay/replay_lines.hpp"
 #include "hil/replay/replay_summary.hpp"
@@ -224,18 +225,7 @@ class RigReplay {
 
   void print_summary(std::FILE* to) {
     const auto& rig = this->rig();
-    for (const auto& actor : bench_->player().devices()) {
-      const auto& device = actor->device();
-      const auto health = device.health(bench_->player().now());
-      fmt::print(to, "{}: {} measurements, {} frames, {} bad checksums, {} bytes skipped\n",
-                 device.name(), health.messages, health.stream.frames, health.stream.bad_checksums,
-                 health.stream.bytes_skipped);
-    }
-    if (const auto* faults = bench_->faults())
-      for (const auto& line : faults->lines()) fmt::print(to, "{}\n", line);
-    for (std::size_t i = 0; i < rig.estimators.size(); ++i)
-      fmt::print(to, "{}: {} estimates{}\n", rig.estimators[i].name, bench_->estimates()[i],
-                 error_text(bench_->errors().of(i)));
+    print_account(to, rig, *bench_);
     fmt::print(to, "{}",
                summary::findings_text(summary::accounts_of(findings_, rig, bench_->start())));
     for (const auto& note : setup::pipeline_notes(rig, bench_->pipeline()))
@@ -245,20 +235,7 @@ class RigReplay {
       fmt::print(to, "onto: {} reads or frames were not taken by the other side\n", onto_->lost());
     if (!recording_.damage().empty())
       fmt::print(to, "the recording is damaged: {} (drydock recover)\n", recording_.damage());
-    if (options_.part.from && measurement::seconds(bench_->played()) == 0)
-      fmt::print(to, "the recording ends before --from {:g} s; drydock info tells its length\n",
-                 measurement::seconds(*options_.part.from));
-    fmt::print(to, "{:.1f} s{}\n", measurement::seconds(bench_->played()),
-               bench_->interrupted() ? ", ended early" : "");
-  }
-
-  static std::string error_text(const TruthErrors::Rms& rms) {
-    if (rms.attitudes == 0) return "";
-    std::string text =
-        fmt::format("; against the recorded truth: roll {:.3f} deg, pitch {:.3f} deg", rms.roll_deg,
-                    rms.pitch_deg);
-    if (rms.positions > 0) text += fmt::format(", horizontal {:.2f} m", rms.horizontal_m);
-    return text + fmt::format(" RMS of {}", rms.attitudes);
+    print_length(to, options_.part, *bench_);
   }
 
   const RigReplayOptions& options_;

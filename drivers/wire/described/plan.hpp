@@ -104,6 +104,9 @@ struct Plan {
   std::vector<Field> fields;
   FlatTexts texts;  ///< of sentences and lines
 
+  /// Sentences: digits of a checksum behind the '*'.
+  std::size_t checksum_digits() const { return 2 * checksum.size(); }
+
   /// Binary: bytes of a frame behind its fields.
   std::size_t tail() const { return checksum.size() + end.size(); }
 

@@ -3,54 +3,18 @@
 #include <charconv>
 
 #include "drivers/wire/described/codec.hpp"
-#include "drivers/wire/line_end.hpp"
 #include "drivers/wire/plain_number.hpp"
 #include "drivers/wire/text_fields.hpp"
 
+/// The values of a sentence or a line.
 namespace drydock::wire::described {
 namespace {
-
-constexpr bool ends_a_line(std::uint8_t c) { return c == '\r' || c == '\n'; }
-constexpr bool is_printable(std::uint8_t c) { return (c >= 0x20 && c <= 0x7E) || c == '\t'; }
-
-/// Above Fh: it is no digit.
-constexpr unsigned hex_digit(std::uint8_t c) {
-  if (c >= '0' && c <= '9') return c - unsigned{'0'};
-  const unsigned letter = c | 0x20u;
-  return letter >= 'a' && letter <= 'f' ? letter - 'a' + 10 : 0x100;
-}
-
-/// A line may have letters that are not of ASCII, such as a degree sign in any encoding.
-constexpr bool is_of_line(std::uint8_t c) { return is_printable(c) || c >= 0x80; }
-
-/// Digits of a checksum behind the '*' of a sentence.
-std::size_t checksum_digits(const Plan& plan) { return 2 * plan.checksum.size(); }
-
-Scan at_star(const Plan& plan, Bytes bytes, std::size_t star) {
-  const std::size_t digits = checksum_digits(plan);
-  if (bytes.size() < star + 1 + digits) return Scan::need_more();
-  std::uint32_t sent = 0;
-  for (const std::uint8_t c : bytes.subspan(star + 1, digits)) {
-    const unsigned digit = hex_digit(c);
-    if (digit > 15) return Scan::skip(1);
-    sent = sent << 4 | digit;
-  }
-  const Bytes covered = bytes.first(star).subspan(std::min<std::size_t>(plan.checksum_from, star));
-  return sent == plan.checksum.of(covered) ? with_line_end(bytes, star + 1 + digits)
-                                           : Scan::bad_checksum();
-}
-
-bool begins_message(const Plan& plan, Bytes bytes) {
-  if (bytes[0] == '$' || bytes[0] == '!') return true;
-  return std::ranges::any_of(plan.texts.families,
-                             [&](const FlatFamily& family) { return begins(family, bytes); });
-}
 
 /// Sentences and lines without their line end, and sentences without their checksum.
 std::string_view body_of(const Plan& plan, Bytes frame) {
   std::string_view text = as_text(frame);
   while (!text.empty() && (text.back() == '\r' || text.back() == '\n')) text.remove_suffix(1);
-  const std::size_t usual = text.size() - std::min(text.size(), 1 + checksum_digits(plan));
+  const std::size_t usual = text.size() - std::min(text.size(), 1 + plan.checksum_digits());
   const bool is_usual = usual < text.size() && text.find('*', usual) == usual;
   const std::size_t star = plan.form != Form::sentences ? text.npos
                            : is_usual                   ? usual
@@ -118,37 +82,6 @@ bool take(const Plan& plan, const Field& field, std::string_view text, std::size
   if (field.validity) take_validity(field, {Value::State::number, number.value_or(0)}, {}, record);
   return true;
 }
-
-}  // namespace
-
-Scan scan_sentence(const Plan& plan, Bytes bytes) {
-  const bool checked = plan.checksum.size() != 0;
-  const std::size_t limit = std::min(bytes.size(), plan.longest);
-  for (std::size_t i = 1; i < limit; ++i) {
-    const std::uint8_t c = bytes[i];
-    if (!plan.texts.stops[c]) continue;
-    if (c == '*' && checked) return at_star(plan, bytes, i);
-    if (ends_a_line(c) && (!checked || plan.checksum_optional)) return with_line_end(bytes, i);
-    if (!is_printable(c)) return Scan::skip(1);
-    if (plan.starts[c] && begins_message(plan, bytes.subspan(i))) return Scan::skip(i);
-  }
-  return limit < bytes.size() || limit == plan.longest ? Scan::skip(1) : Scan::need_more();
-}
-
-Scan scan_line(const Plan& plan, Bytes bytes) {
-  const std::size_t limit = std::min(bytes.size(), plan.longest);
-  std::size_t end = 0;
-  while (end < limit && is_of_line(bytes[end])) ++end;
-  if (end == limit) return limit == plan.longest ? Scan::skip(1) : Scan::need_more();
-  if (!ends_a_line(bytes[end])) return Scan::skip(end);
-  Record record;
-  if (decode_texts(plan, bytes.first(end), record) == Decoded::message)
-    return with_line_end(bytes, end);
-  const bool any_start = std::ranges::any_of(plan.messages, &std::string::empty, &Message::head);
-  return Scan::skip(any_start ? end : 1);
-}
-
-namespace {
 
 /// A text cut into fields at their ends. Of the array only `count` elements are ever written: to
 /// clear all of it would cost as much as to read a short sentence.
@@ -244,10 +177,6 @@ bool decode_pattern(const Plan& plan, const Message& message, std::string_view t
   return true;
 }
 
-}  // namespace
-
-namespace {
-
 /// The first message of the family whose constants and number of fields are those of the text.
 bool decode_family(const Plan& plan, const FlatFamily& family, std::string_view text,
                    Record& record) {
@@ -280,98 +209,6 @@ Decoded decode_texts(const Plan& plan, Bytes frame, Record& record) {
     result = Decoded::misfit;
   }
   return result;
-}
-
-namespace {
-
-void write_number(const Field& field, double number, FieldWriter& line) {
-  std::array<char, 64> digits;
-  const int decimals = field.decimals;
-  const bool hex = field.type == Type::hex;
-  constexpr double limit = 9e18;  // what 64 bits hold: microseconds since 1970 need 1.8e15
-  const double sent = std::clamp(number, -limit, limit);
-  const auto written = hex ? std::to_chars(digits.begin(), digits.end(),
-                                           static_cast<std::uint64_t>(std::abs(sent)), 16)
-                           : std::to_chars(digits.begin(), digits.end(), std::abs(sent),
-                                           std::chars_format::fixed, decimals);
-  const auto size = static_cast<std::size_t>(written.ptr - digits.begin());
-  if (sent < 0) line.text("-");
-  for (std::size_t n = size + (sent < 0); n < field.width; ++n) line.text("0");
-  line.text({digits.data(), size});
-}
-
-/// False: the field has no value, and a line has no way to say so.
-bool write_field(const Plan& plan, std::span<const Field> fields, const Field& field,
-                 const Readings& readings, FieldWriter& line) {
-  if (field.type == Type::ignored || field.type == Type::constant ||
-      (field.type == Type::text && !field.validity)) {
-    line.text(field.text);
-    return true;
-  }
-  if (field.type == Type::text) {
-    line.text(measures_nothing(fields, readings) ? field.validity->bad_text
-                                                 : field.validity->good_texts.front());
-    return true;
-  }
-  const auto number = wire_number(fields, field, readings);
-  if (number) write_number(field, *number, line);
-  return number || plan.form == Form::sentences || field.optional;
-}
-
-bool write_fields(const Plan& plan, const Message& message, const Readings& readings,
-                  FieldWriter& line) {
-  const auto fields = plan.fields_of(message);
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (!write_field(plan, fields, fields[i], readings, line)) return false;
-    if (i + 1 < fields.size() || fields[i].closed) line.text({&fields[i].end, 1});
-  }
-  return true;
-}
-
-/// A line by a pattern.
-bool write_pieces(const Plan& plan, const Message& message, const Readings& readings,
-                  FieldWriter& line) {
-  const auto fields = plan.fields_of(message);
-  for (const WrittenPiece& piece : message.line->written) {
-    line.text(piece.text);
-    if (piece.field < 0) continue;
-    const Field& field = fields[static_cast<std::size_t>(piece.field)];
-    if (!write_field(plan, fields, field, readings, line)) return false;
-  }
-  return true;
-}
-
-/// An emulated device of any talker is "integrated instrumentation" (IEC 61162-1).
-void write_head(const Message& message, FieldWriter& line) {
-  const std::string_view head = message.head;
-  if (!message.any_talker) return line.text(head);
-  line.text(head.substr(0, 1));
-  line.text("II");
-  line.text(head.substr(3));
-}
-
-void write_checksum(const Plan& plan, FieldWriter& line) {
-  if (plan.form != Form::sentences || plan.checksum.size() == 0 || line.size() == 0) return;
-  constexpr std::string_view digits = "0123456789ABCDEF";
-  const std::uint32_t sum = plan.checksum.of(
-      line.written().subspan(std::min<std::size_t>(plan.checksum_from, line.size())));
-  line.text("*");
-  for (std::size_t left = checksum_digits(plan); left-- > 0;)
-    line.text(digits.substr(sum >> (4 * left) & 15, 1));
-}
-
-}  // namespace
-
-std::size_t encode_text(const Plan& plan, const Message& message, const Readings& readings,
-                        std::span<std::uint8_t> out) {
-  FieldWriter line(out);
-  write_head(message, line);
-  const bool written = message.line ? write_pieces(plan, message, readings, line)
-                                    : write_fields(plan, message, readings, line);
-  if (!written) return 0;
-  write_checksum(plan, line);
-  line.text("\r\n");
-  return line.size();
 }
 
 }  // namespace drydock::wire::described

@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "drivers/wire/described/codec.hpp"
+#include "drivers/wire/text_fields.hpp"
+
+/// A sentence or a line of an emulated device.
+namespace drydock::wire::described {
+namespace {
+
+void write_number(const Field& field, double number, FieldWriter& line) {
+  std::array<char, 64> digits;
+  const int decimals = field.decimals;
+  const bool hex = field.type == Type::hex;
+  constexpr double limit = 9e18;  // what 64 bits hold: microseconds since 1970 need 1.8e15
+  const double sent = std::clamp(number, -limit, limit);
+  const auto written = hex ? std::to_chars(digits.begin(), digits.end(),
+                                           static_cast<std::uint64_t>(std::abs(sent)), 16)
+                           : std::to_chars(digits.begin(), digits.end(), std::abs(sent),
+                                           std::chars_format::fixed, decimals);
+  const auto size = static_cast<std::size_t>(written.ptr - digits.begin());
+  if (sent < 0) line.text("-");
+  for (std::size_t n = size + (sent < 0); n < field.width; ++n) line.text("0");
+  line.text({digits.data(), size});
+}
+
+/// False: the field has no value, and a line has no way to say so.
+bool write_field(const Plan& plan, std::span<const Field> fields, const Field& field,
+                 const Readings& readings, FieldWriter& line) {
+  if (field.type == Type::ignored || field.type == Type::constant ||
+      (field.type == Type::text && !field.validity)) {
+    line.text(field.text);
+    return true;
+  }
+  if (field.type == Type::text) {
+    line.text(measures_nothing(fields, readings) ? field.validity->bad_text
+                                                 : field.validity->good_texts.front());
+    return true;
+  }
+  const auto number = wire_number(fields, field, readings);
+  if (number) write_number(field, *number, line);
+  return number || plan.form == Form::sentences || field.optional;
+}
+
+bool write_fields(const Plan& plan, const Message& message, const Readings& readings,
+                  FieldWriter& line) {
+  const auto fields = plan.fields_of(message);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!write_field(plan, fields, fields[i], readings, line)) return false;
+    if (i + 1 < fields.size() || fields[i].closed) line.text({&fields[i].end, 1});
+  }
+  return true;
+}
+
+/// A line by a pattern.
+bool write_pieces(const Plan& plan, const Message& message, const Readings& readings,
+                  FieldWriter& line) {
+  const auto fields = plan.fields_of(message);
+  for (const WrittenPiece& piece : message.line->written) {
+    line.text(piece.text);
+    if (piece.field < 0) continue;
+    const Field& field = fields[static_cast<std::size_t>(piece.field)];
+    if (!write_field(plan, fields, field, readings, line)) return false;
+  }
+  return true;
+}
+
+/// An emulated device of any talker is "integrated instrumentation" (IEC 61162-1).
+void write_head(const Message& message, FieldWriter& line) {
+  const std::string_view head = message.head;
+  if (!message.any_talker) return line.text(head);
+  line.text(head.substr(0, 1));
+  line.text("II");
+  line.text(head.substr(3));
+}
+
+void write_checksum(const Plan& plan, FieldWriter& line) {
+  if (plan.form != Form::sentences || plan.checksum.size() == 0 || line.size() == 0) return;
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  const std::uint32_t sum = plan.checksum.of(
+      line.written().subspan(std::min<std::size_t>(plan.checksum_from, line.size())));
+  line.text("*");
+  for (std::size_t left = plan.checksum_digits(); left-- > 0;)
+    line.text(digits.substr(sum >> (4 * left) & 15, 1));
+}
+
+}  // namespace
+
+std::size_t encode_text(const Plan& plan, const Message& message, const Readings& readings,
+                        std::span<std::uint8_t> out) {
+  FieldWriter line(out);
+  write_head(message, line);
+  const bool written = message.line ? write_pieces(plan, message, readings, line)
+                                    : write_fields(plan, message, readings, line);
+  if (!written) return 0;
+  write_checksum(plan, line);
+  line.text("\r\n");
+  return line.size();
+}
+
+}  // namespace drydock::wire::described
