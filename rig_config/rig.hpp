@@ -106,6 +106,8 @@ struct DeviceConfig {
   XsensConfig xsens;
   PressureConfig pressure;
   std::optional<double> velocity_sigma_mps;       ///< kind dvl, emlog: if the sensor tells none
+  double speed_scale = 1;                         ///< kind emlog: shown over true speed
+  std::array<double, 3> compass_error_rad{};      ///< kind attitude: constant, sine, cosine
   DvlMaker maker = DvlMaker::teledyne;            ///< kind dvl, PD4 and PD6
   std::optional<double> beam_angle_rad;           ///< kind dvl, PD4 and PD5 in beam coordinates
   std::optional<bool> levelled;                   ///< kind dvl, ship axes; empty: as the DVL says

@@ -104,6 +104,9 @@ struct DriverOptions {
   DvlOptions dvl;                            ///< kind dvl
   UbloxSettings ublox;                       ///< kind gnss, UBX; empty: the driver only listens
   std::optional<double> velocity_sigma_mps;  ///< kind dvl, emlog: if the sensor does not say it
+  double speed_scale = 1;  ///< kind emlog: the speed that it shows over the true one
+  /// Kind attitude: a, b, c. At the heading h the sensor shows h + a + b sin h + c cos h.
+  std::array<double, 3> compass_error_rad{};
 };
 
 }  // namespace drydock::device

@@ -69,6 +69,8 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   options.water = {config.surface_pressure_pa, config.water_density_kgm3,
                    config.unesco_latitude_rad};
   options.velocity_sigma_mps = config.velocity_sigma_mps;
+  options.speed_scale = config.speed_scale;
+  options.compass_error_rad = config.compass_error_rad;
   options.dvl.maker = config.maker;
   options.dvl.beam_angle_rad = config.beam_angle_rad;
   options.dvl.levelled = config.levelled;

@@ -78,7 +78,7 @@ std::string reason(const Parameter& parameter, const Dive& dive) {
     case Unknown::pitch:
       return has(dive, Quantity::depth) ? "too little way with bottom track and depth"
                                         : "no depth: nothing says how fast the vehicle sank";
-    case Unknown::latency: return "the speed and the heading changed too little";
+    case Unknown::latency: return "what it measures changed too little";
     case Unknown::lever_ahead:
     case Unknown::lever_starboard: return "the vehicle turned too little";
     case Unknown::deviation_sine:

@@ -67,11 +67,20 @@ std::vector<Parameter> parameters_of(const smoothing::Dive& dive) {
   for (const auto device : tracks)
     add(device, {Unknown::yaw, Unknown::pitch, Unknown::scale, Unknown::latency,
                  Unknown::lever_ahead, Unknown::lever_starboard});
-  for (const auto device : devices_with(dive, Quantity::log)) add(device, {Unknown::scale});
+  std::set<std::uint16_t> timed = tracks;
+  const auto add_latency = [&](std::uint16_t device) {
+    if (timed.insert(device).second) add(device, {Unknown::latency});
+  };
+  for (const auto device : devices_with(dive, Quantity::log)) {
+    add(device, {Unknown::scale});
+    add_latency(device);
+  }
   for (const auto device : devices_with(dive, Quantity::heading)) {
     if (tracks.empty()) add(device, {Unknown::deviation_constant});
     add(device, {Unknown::deviation_sine, Unknown::deviation_cosine});
+    add_latency(device);
   }
+  for (const auto device : devices_with(dive, Quantity::depth)) add_latency(device);
   return all;
 }
 

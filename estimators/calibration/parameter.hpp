@@ -14,7 +14,7 @@ enum class Unknown : std::uint8_t {
   yaw,          ///< of its mounting, rad
   pitch,        ///< of its mounting, rad
   scale,        ///< of its velocity; for a DVL that of the speed of sound
-  latency,      ///< s
+  latency,      ///< s, or how far its clock is behind
   lever_ahead,  ///< m
   lever_starboard,
   deviation_constant,  ///< of a compass, rad
@@ -39,8 +39,9 @@ double usual_prior(Unknown unknown);
 /// Sets the value in the model of its device.
 void apply(const Parameter& parameter, double value, smoothing::SensorModels& models);
 
-/// All that a dive with these readings may tell: of each DVL, log and compass. The constant of a
-/// compass is left out beside a DVL, whose yaw holds it: only their sum moves the track.
+/// All that a dive with these readings may tell: of each DVL, log, compass and depth sensor; their
+/// latencies are against the receiver. The constant of a compass is left out beside a DVL, whose
+/// yaw holds it: only their sum moves the track.
 std::vector<Parameter> parameters_of(const smoothing::Dive& dive);
 
 }  // namespace drydock::calibration

@@ -22,8 +22,9 @@ std::string to_json(const Outcome& outcome);
 /// One self-contained HTML page: values with bounds, correlations, residuals before and after.
 std::string to_html(const Outcome& outcome);
 
-/// The rig file with what the dive told: mounting, lever arm, latency, and the scale of a DVL as
-/// its speed of sound. `notes` gets a line for each value that no key of a rig file holds.
+/// The rig file with what the dive told: mounting, lever arm, latency, the scale of a DVL as its
+/// speed of sound, the scale of a log, the error of a compass. `notes` gets a line for each value
+/// that no key of a rig file holds.
 std::string calibrated_rig(const Outcome& outcome, std::vector<std::string>& notes);
 
 }  // namespace drydock::calibrate

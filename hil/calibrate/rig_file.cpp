@@ -18,7 +18,8 @@ using calibration::Verdict;
 struct Change {
   double yaw = 0, pitch = 0, scale = 0, latency_s = 0;
   Eigen::Vector3d lever = Eigen::Vector3d::Zero();
-  bool turned = false, scaled = false, delayed = false, moved = false;
+  Eigen::Vector3d compass_error = Eigen::Vector3d::Zero();  ///< constant, sine, cosine
+  bool turned = false, scaled = false, delayed = false, moved = false, deviates = false;
 };
 
 void take(const Finding& f, Change& change) {
@@ -30,15 +31,19 @@ void take(const Finding& f, Change& change) {
     case Unknown::lever_ahead: change.lever.x() = f.value, change.moved = true; break;
     case Unknown::lever_starboard: change.lever.y() = f.value, change.moved = true; break;
     case Unknown::deviation_constant:
-    case Unknown::deviation_sine:
-    case Unknown::deviation_cosine: break;
+      change.compass_error[0] = f.value, change.deviates = true;
+      break;
+    case Unknown::deviation_sine: change.compass_error[1] = f.value, change.deviates = true; break;
+    case Unknown::deviation_cosine:
+      change.compass_error[2] = f.value, change.deviates = true;
+      break;
   }
 }
 
+/// A DVL that gives the heading has no key for the error of its compass.
 bool has_no_key(const Finding& f, const rig_config::DeviceConfig& device) {
-  const bool of_log =
-      f.parameter.unknown == Unknown::scale && device.kind != measurement::Kind::dvl;
-  return of_log || f.parameter.unknown >= Unknown::deviation_constant;
+  return f.parameter.unknown >= Unknown::deviation_constant &&
+         device.kind != measurement::Kind::attitude;
 }
 
 std::string triple(const Eigen::Vector3d& v, int digits) {
@@ -51,6 +56,12 @@ std::string mounting(const rig_config::DeviceConfig& device, const Change& chang
   const auto angles = frame::euler(frame::body_to_ned({0, change.pitch, change.yaw}) *
                                    frame::body_to_ned({roll, pitch, yaw}));
   return triple(units::degrees_per_radian * Eigen::Vector3d{angles.roll, angles.pitch, angles.yaw},
+                3);
+}
+
+std::string compass_error(const rig_config::DeviceConfig& device, const Change& change) {
+  return triple(units::degrees_per_radian *
+                    (Eigen::Vector3d{device.compass_error_rad.data()} + change.compass_error),
                 3);
 }
 
@@ -68,6 +79,11 @@ std::string with_change(std::string rig, const track::Gathered& gathered, std::u
   if (change.delayed)
     rig = with_key(rig, device.name, "latency_ms",
                    fmt::format("{:.1f}", 1e3 * std::max(0.0, device.latency_s + change.latency_s)));
+  if (change.deviates && device.kind == measurement::Kind::attitude)
+    rig = with_key(rig, device.name, "compass_error_deg", compass_error(device, change));
+  if (change.scaled && device.kind == measurement::Kind::emlog)
+    rig = with_key(rig, device.name, "speed_scale",
+                   fmt::format("{:.4f}", device.speed_scale * (1 + change.scale)));
   if (const auto used = gathered.sound_speed_mps.find(index);
       change.scaled && used != gathered.sound_speed_mps.end())
     rig = with_key(rig, device.name, "sound_speed", sound_speed(used->second, change));
@@ -91,7 +107,7 @@ std::string calibrated_rig(const Outcome& outcome, std::vector<std::string>& not
   std::string rig = gathered.rig_text;
   for (const auto& [index, change] : changes) {
     const bool is_dvl = gathered.rig.devices[index].kind == measurement::Kind::dvl;
-    if (is_dvl) rig = with_change(std::move(rig), gathered, index, change);
+    rig = with_change(std::move(rig), gathered, index, change);
     if (is_dvl && change.scaled && !gathered.sound_speed_mps.contains(index))
       notes.push_back(gathered.rig.devices[index].name +
                       ": it does not say its speed of sound, so the scale is not written");

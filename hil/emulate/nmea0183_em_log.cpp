@@ -2,7 +2,7 @@
 
 #include "drivers/wire/nmea0183/nmea0183.hpp"
 #include "hil/emulate/devices.hpp"
-#include "hil/sensor/ideal.hpp"
+#include "hil/emulate/log_readings.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -11,16 +11,12 @@ class Nmea0183EmLog final : public SamplingDevice {
  public:
   explicit Nmea0183EmLog(const DeviceSetup& setup)
       : SamplingDevice(setup),
-        errors_(setup.primary_errors()),
+        readings_(setup),
         samples_per_second_(std::max<std::uint64_t>(1, std::llround(setup.config.rate_hz))) {}
 
  private:
   void sample(Stamp at, Wire& out) override {
-    const auto ideal = sensor::ideal_log(trajectory(), at, mounting());
-    const Eigen::Vector3d speed =
-        errors_.apply({*ideal.longitudinal_mps, *ideal.transverse_mps, 0}, at);
-    distance_m_ += std::abs(speed.x()) / rate_hz();
-
+    const Eigen::Vector2d speed = readings_.at(trajectory(), at, mounting(), rate_hz());
     wire::Vbw vbw;
     vbw.water_longitudinal_mps = speed.x();
     vbw.water_transverse_mps = speed.y();
@@ -30,7 +26,7 @@ class Nmea0183EmLog final : public SamplingDevice {
     send(vhw, out);
     if (samples() % samples_per_second_ == 0) {
       wire::Vlw vlw;
-      vlw.water_total_m = vlw.water_trip_m = distance_m_;
+      vlw.water_total_m = vlw.water_trip_m = readings_.distance_m();
       send(vlw, out);
     }
   }
@@ -40,9 +36,8 @@ class Nmea0183EmLog final : public SamplingDevice {
     out.send(wire::Bytes{bytes_}.first(wire::encode(sentence, bytes_)));
   }
 
-  sensor::ErrorModel errors_;
+  LogReadings readings_;
   std::uint64_t samples_per_second_;
-  double distance_m_ = 0;  ///< since boot
   std::array<std::uint8_t, 128> bytes_{};
 };
 

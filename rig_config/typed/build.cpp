@@ -122,6 +122,8 @@ DeviceConfig build_device(const Node& table, const std::string& rig_file) {
   read(table, "maker", maker);
   if (maker == "water-linked") device.maker = DvlMaker::water_linked;
   device.velocity_sigma_mps = read_if(table, "velocity_sigma_mps", 1);
+  read(table, "speed_scale", device.speed_scale);
+  read(table, "compass_error_deg", device.compass_error_rad, units::degree);
   device.beam_angle_rad = read_if(table, "beam_angle_deg", units::degree);
   device.levelled = read_bool_if(table, "levelled");
   if (const Node* whose = table.find("velocity_of")) device.velocity_of_bed = whose->text == "bed";

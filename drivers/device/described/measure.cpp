@@ -70,19 +70,10 @@ measurement::BottomVelocity bottom_velocity(const Readings& r, const DriverOptio
   return m;
 }
 
-measurement::WaterSpeed water_speed(const Readings& r, const DriverOptions& options) {
+/// The driver turns the speeds.
+measurement::WaterSpeed water_speed(const Readings& r) {
   measurement::WaterSpeed m;
-  const auto along = r.get(longitudinal), across = r.get(transverse);
-  if (options.mounting.is_identity()) {
-    m.longitudinal_mps = along;
-    m.transverse_mps = across;
-  } else if (along && across) {
-    const Eigen::Vector3d body = options.mounting.to_body({*along, *across, 0});
-    m.longitudinal_mps = body.x();
-    m.transverse_mps = body.y();
-  }
   m.distance_m = r.get(distance);
-  if (m.longitudinal_mps || m.transverse_mps) m.sigma_mps = options.velocity_sigma_mps;
   return m;
 }
 
@@ -152,7 +143,7 @@ measurement::Measurement measurement_of(const Readings& readings, const Origin& 
   switch (options.kind) {
     case Kind::depth: return from(depth_sample(readings, options), origin);
     case Kind::dvl: return from(bottom_velocity(readings, options), origin);
-    case Kind::emlog: return from(water_speed(readings, options), origin);
+    case Kind::emlog: return from(water_speed(readings), origin);
     case Kind::gnss: return from(gnss_fix(readings), origin);
     case Kind::actuator: return from(actuator_state(readings), origin);
     case Kind::attitude:  // its driver turns it, with the tilt of the last sample

@@ -8,8 +8,8 @@
 
 namespace drydock::device {
 
-/// The measurement of a kind of sensor from the values of a described message, in body axes. A
-/// vector needs all of its components. `options`: mounting, water, accuracy.
+/// The measurement of a kind of sensor from the values of a described message, in body axes; but a
+/// log's speeds are for LogAxes. A vector needs all of its components. `options`: mounting, water.
 measurement::Measurement measurement_of(const wire::described::Readings& readings,
                                         const measurement::Origin& origin,
                                         const DriverOptions& options);

@@ -48,6 +48,10 @@ void MeasuredPublisher::publish(const Readings& readings, measurement::Origin or
   auto measured = measurement_of(readings, origin, options_);
   if (auto* dvl = std::get_if<measurement::BottomVelocity>(&measured))
     return dvl_.publish(*dvl, {}, out);
+  if (auto* log = std::get_if<measurement::WaterSpeed>(&measured)) {
+    log->distance_m = log_.way(log->distance_m);
+    log_.resolve(readings.get(Target::longitudinal), readings.get(Target::transverse), *log, out);
+  }
   const auto* depth = std::get_if<measurement::DepthSample>(&measured);
   if (!depth || is_possible(*depth, out)) out.publish(measured);
 }

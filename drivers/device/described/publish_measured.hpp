@@ -4,6 +4,7 @@
 #include "drivers/device/driver_options.hpp"
 #include "drivers/device/dvl/dvl_finish.hpp"
 #include "drivers/device/vessel/attitude_axes.hpp"
+#include "drivers/device/vessel/log_axes.hpp"
 #include "drivers/wire/described/targets.hpp"
 
 namespace drydock::device {
@@ -13,7 +14,7 @@ namespace drydock::device {
 class MeasuredPublisher {
  public:
   explicit MeasuredPublisher(const DriverOptions& options)
-      : options_(options), axes_(options.mounting), dvl_(options) {}
+      : options_(options), axes_(options), log_(options), dvl_(options) {}
 
   void publish(const wire::described::Readings& readings, measurement::Origin origin, Output& out);
 
@@ -23,6 +24,7 @@ class MeasuredPublisher {
 
   const DriverOptions& options_;
   AttitudeAxes axes_;  ///< kind attitude
+  LogAxes log_;        ///< kind emlog
   DvlFinish dvl_;      ///< kind dvl
 };
 

@@ -27,8 +27,10 @@ std::optional<double> true_heading(const AttitudeSample& m) {
 
 }  // namespace
 
-AttitudeAxes::AttitudeAxes(const Mounting& mounting)
-    : mounting_(mounting), level_(tilt_of(mounting.to_sensor(Vector3d::UnitZ()))) {}
+AttitudeAxes::AttitudeAxes(const DriverOptions& options)
+    : mounting_(options.mounting),
+      error_rad_(options.compass_error_rad),
+      level_(tilt_of(mounting_.to_sensor(Vector3d::UnitZ()))) {}
 
 AttitudeAxes::Tilt AttitudeAxes::tilt_of(const Vector3d& down) {
   return {std::atan2(down.y(), down.z()), std::atan2(-down.x(), std::hypot(down.y(), down.z()))};
@@ -57,6 +59,21 @@ void AttitudeAxes::heading(double heading_rad, AttitudeSample& into) const {
   const double turn = mounting_.is_identity() ? 0 : turn_to_body(known ? *last_ : level_);
   into.heading_rad = in_circle(heading_rad + turn);
   into.true_heading_rad = true_heading(into);
+  const double error = error_at(into.true_heading_rad.value_or(*into.heading_rad));
+  if (error == 0) return;
+  into.heading_rad = in_circle(*into.heading_rad - error);
+  into.true_heading_rad = true_heading(into);
+}
+
+/// The error belongs to the heading without it, which a few repetitions find: it is a small angle.
+double AttitudeAxes::error_at(double shown_rad) const {
+  const auto& [constant, sine, cosine] = error_rad_;
+  double error = 0;
+  for (int i = 0; i < 8; ++i) {
+    const double heading = shown_rad - error;
+    error = constant + sine * std::sin(heading) + cosine * std::cos(heading);
+  }
+  return error;
 }
 
 double AttitudeAxes::turn_to_body(const Tilt& sensor) const {

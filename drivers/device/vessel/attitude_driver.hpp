@@ -16,9 +16,7 @@ namespace drydock::device {
 class AttitudeDriver final : public StreamDriver<wire::Nmea0183::max_frame> {
  public:
   explicit AttitudeDriver(const DriverOptions& options)
-      : StreamDriver(options, wire::Nmea0183::scan),
-        axes_(options.mounting),
-        burst_(shortest_pause) {}
+      : StreamDriver(options, wire::Nmea0183::scan), axes_(options), burst_(shortest_pause) {}
 
  private:
   void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;

@@ -32,7 +32,7 @@ void EmLogDriver::on(const wire::Vlw& vlw, const Origin& origin, Output& out) {
   if (!vlw.water_total_m) return;
   measurement::WaterSpeed result;
   result.origin = origin;
-  result.distance_m = vlw.water_total_m;
+  result.distance_m = axes_.way(vlw.water_total_m);
   out.publish(result);
 }
 

@@ -2,22 +2,30 @@
 
 namespace drydock::device {
 
+void LogAxes::resolve(const std::optional<double>& longitudinal_mps,
+                      const std::optional<double>& transverse_mps, measurement::WaterSpeed& into,
+                      Output& out) const {
+  if (mounting_.is_identity()) {
+    into.longitudinal_mps = longitudinal_mps;
+    into.transverse_mps = transverse_mps;
+  } else if (longitudinal_mps && transverse_mps) {
+    const Eigen::Vector3d body = mounting_.to_body({*longitudinal_mps, *transverse_mps, 0});
+    into.longitudinal_mps = body.x();
+    into.transverse_mps = body.y();
+  } else if (longitudinal_mps) {
+    out.report("the log is mounted turned and gives no transverse speed: no speed along body x");
+  }
+  if (into.longitudinal_mps) *into.longitudinal_mps /= scale_;
+  if (into.transverse_mps) *into.transverse_mps /= scale_;
+  if (into.longitudinal_mps || into.transverse_mps) into.sigma_mps = sigma_mps_;
+}
+
 void LogAxes::publish(const std::optional<double>& longitudinal_mps,
                       const std::optional<double>& transverse_mps,
                       const measurement::Origin& origin, Output& out) const {
   measurement::WaterSpeed result;
   result.origin = origin;
-  if (mounting_.is_identity()) {
-    result.longitudinal_mps = longitudinal_mps;
-    result.transverse_mps = transverse_mps;
-  } else if (longitudinal_mps && transverse_mps) {
-    const Eigen::Vector3d body = mounting_.to_body({*longitudinal_mps, *transverse_mps, 0});
-    result.longitudinal_mps = body.x();
-    result.transverse_mps = body.y();
-  } else if (longitudinal_mps) {
-    out.report("the log is mounted turned and gives no transverse speed: no speed along body x");
-  }
-  if (result.longitudinal_mps || result.transverse_mps) result.sigma_mps = sigma_mps_;
+  resolve(longitudinal_mps, transverse_mps, result, out);
   out.publish(result);
 }
 

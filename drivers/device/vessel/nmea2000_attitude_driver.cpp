@@ -19,7 +19,7 @@ measurement::HeadingReference reference_of(const std::optional<std::uint8_t>& co
 
 Nmea2000AttitudeDriver::Nmea2000AttitudeDriver(const DriverOptions& options)
     : Nmea2000Driver(options),
-      axes_(options.mounting),
+      axes_(options),
       source_(options.address),
       burst_(pause_between_attitudes) {}
 

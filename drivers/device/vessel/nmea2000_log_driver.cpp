@@ -52,7 +52,7 @@ void Nmea2000LogDriver::on(const wire::nmea2000::DistanceLog& log, const Origin&
   if (!accepts(source_, log.source, origin.received_at) || !log.total_m) return;
   measurement::WaterSpeed result;
   result.origin = origin;
-  result.distance_m = log.total_m;
+  result.distance_m = axes_.way(log.total_m);
   out.publish(result);
 }
 

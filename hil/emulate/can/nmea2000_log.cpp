@@ -2,7 +2,7 @@
 
 #include "hil/emulate/can/nmea2000_name.hpp"
 #include "hil/emulate/devices.hpp"
-#include "hil/sensor/ideal.hpp"
+#include "hil/emulate/log_readings.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -19,15 +19,12 @@ class Nmea2000Log final : public J1939Device {
   explicit Nmea2000Log(const DeviceSetup& setup)
       : J1939Device(setup, marine_name(setup.config, speed_function, navigation_class),
                     log_address),
-        errors_(setup.primary_errors()),
+        readings_(setup),
         samples_per_second_(std::max<std::uint64_t>(1, std::llround(setup.config.rate_hz))) {}
 
  private:
   void report(Stamp at, std::uint8_t address, Wire& out) override {
-    const auto ideal = sensor::ideal_log(trajectory(), at, mounting());
-    const double along = errors_.apply({*ideal.longitudinal_mps, *ideal.transverse_mps, 0}, at).x();
-    distance_m_ += std::abs(along) / rate_hz();
-    send_speed(along, address, out);
+    send_speed(readings_.at(trajectory(), at, mounting(), rate_hz()).x(), address, out);
     if (reports_++ % samples_per_second_ == 0) send_distance(at, address, out);
   }
 
@@ -45,15 +42,14 @@ class Nmea2000Log final : public J1939Device {
     n2k::DistanceLog log;
     log.source = address;
     log.utc_ns = device_time(at).time_since_epoch().count();
-    log.total_m = log.trip_m = distance_m_;
+    log.total_m = log.trip_m = readings_.distance_m();
     send_packet(log, packets_++, out);
   }
 
-  sensor::ErrorModel errors_;
+  LogReadings readings_;
   std::uint64_t samples_per_second_;
   std::uint64_t reports_ = 0;
   std::uint8_t packets_ = 0;
-  double distance_m_ = 0;  ///< since boot
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "hil/emulate/described/described_device.hpp"
 #include "hil/emulate/dvl/dvl_device.hpp"
 #include "hil/emulate/gnss/gnss_epoch.hpp"
+#include "hil/emulate/log_readings.hpp"
 #include "hil/sensor/ideal.hpp"
 
 namespace drydock::emulate {
@@ -73,22 +74,17 @@ class DescribedDvl final : public DescribedDevice<DvlDevice> {
 
 class DescribedEmLog final : public DescribedDevice<SamplingDevice> {
  public:
-  explicit DescribedEmLog(const DeviceSetup& setup)
-      : DescribedDevice(setup), errors_(setup.primary_errors()) {}
+  explicit DescribedEmLog(const DeviceSetup& setup) : DescribedDevice(setup), readings_(setup) {}
 
  private:
   void measure(Stamp at, Readings& readings) override {
-    const auto ideal = sensor::ideal_log(trajectory(), at, mounting());
-    const auto speed =
-        errors_.apply(Eigen::Vector3d(*ideal.longitudinal_mps, *ideal.transverse_mps, 0), at);
-    distance_m_ += std::abs(speed.x()) / rate_hz();
+    const auto speed = readings_.at(trajectory(), at, mounting(), rate_hz());
     readings.set(longitudinal, speed.x());
     readings.set(transverse, speed.y());
-    readings.set(distance, distance_m_);
+    readings.set(distance, readings_.distance_m());
   }
 
-  sensor::ErrorModel errors_;
-  double distance_m_ = 0;  ///< since boot
+  LogReadings readings_;
 };
 
 class DescribedImu final : public DescribedDevice<SamplingDevice> {

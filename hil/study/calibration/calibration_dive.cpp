@@ -23,7 +23,7 @@ const Vector3d dvl_lever{0.8, 0, 0.35}, depth_lever{-0.5, 0, 0.1}, antenna_lever
 
 /// One sigma of the drawn errors, in the order of parameters_of().
 constexpr std::array drawn_sigma{2 * units::degree, 1 * units::degree, 0.015, 0.1, 0.3, 0.3,
-                                 1 * units::degree, 1 * units::degree};
+                                 1 * units::degree, 1 * units::degree, 0.1,   0.1};
 
 rig_config::LegConfig leg(LegKind kind, double duration_s, double amount = 0, double speed = 0) {
   rig_config::LegConfig leg;
@@ -76,9 +76,9 @@ class Emulated {
   void sense(double t, const motion::Truth& truth) {
     dive_.tilts.push_back(
         {t, truth.roll_rad + normal(tilt_noise_rad), truth.pitch_rad + normal(tilt_noise_rad)});
-    add(t, Quantity::heading, compass_of_dive, {heading(truth) + normal(heading_noise_rad), 0, 0},
-        heading_noise_rad);
-    add(t, Quantity::depth, depth_of_dive,
+    add(t + models_[compass_of_dive].latency_s, Quantity::heading, compass_of_dive,
+        {heading(truth) + normal(heading_noise_rad), 0, 0}, heading_noise_rad);
+    add(t + models_[depth_of_dive].latency_s, Quantity::depth, depth_of_dive,
         {sensor::depth_at(truth, {.lever_arm_m = depth_lever}) + normal(depth_noise_m), 0, 0},
         depth_noise_m);
     add(t + models_[dvl_of_dive].latency_s, Quantity::bottom, dvl_of_dive, track(truth),
@@ -118,12 +118,14 @@ class Emulated {
   smoothing::Dive dive_;
 };
 
-/// The parameters of one DVL and one compass, as parameters_of() has them.
+/// The parameters of one DVL, one compass and one depth sensor, as parameters_of() has them.
 std::vector<calibration::Parameter> calibration_parameters() {
   smoothing::Dive dive;
-  dive.readings.resize(2);
+  dive.readings.resize(3);
   dive.readings[1].quantity = Quantity::heading;
   dive.readings[1].device = compass_of_dive;
+  dive.readings[2].quantity = Quantity::depth;
+  dive.readings[2].device = depth_of_dive;
   return calibration::parameters_of(dive);
 }
 

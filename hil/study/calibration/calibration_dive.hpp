@@ -25,7 +25,7 @@ struct CalibrationErrors {
   double heading_bias_rad = 0;
 };
 
-/// Draws the errors of a run: yaw 2 deg, pitch 1 deg, scale 1.5 %, latency .1 s, levers .3 m,
+/// Draws the errors of a run: yaw 2 deg, pitch 1 deg, scale 1.5 %, latencies .1 s, levers .3 m,
 /// deviation 1 deg, each 1 sigma.
 CalibrationErrors drawn_errors(std::uint64_t seed, std::size_t run);
 /// No error but a bias of the compass, 1 sigma 1 degree.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
 
 #include "drivers/measurement/units.hpp"
@@ -89,6 +90,11 @@ double calibration_factor(calibration::Unknown unknown) {
   return calibration::unit_of(unknown) == "rad" ? units::degrees_per_radian : 1;
 }
 
+std::string calibration_name(const calibration::Parameter& parameter) {
+  constexpr std::array of{"DVL", "compass", "depth sensor", "receiver"};
+  return fmt::format("{}: {}", of.at(parameter.device), name_of(parameter.unknown));
+}
+
 std::string calibration_unit(calibration::Unknown unknown) {
   const auto unit = calibration::unit_of(unknown);
   return unit == "rad" ? "deg" : std::string(unit);
@@ -132,11 +138,11 @@ Result calibration_study(const Options& options, Progress& progress) {
     const auto unknown = parameters[i].unknown;
     const double count = std::max(1, sum.told), factor = calibration_factor(unknown);
     const double rms = factor * std::sqrt(sum.squares / count), sigma = factor * sum.sigmas / count;
-    table.rows.push_back({std::string(name_of(unknown)), fmt::format("{}", sum.told),
+    table.rows.push_back({calibration_name(parameters[i]), fmt::format("{}", sum.told),
                           fmt::format("{:.1f} %", 100 * sum.inside / count),
                           fmt::format("{:.4f}", rms), fmt::format("{:.4f}", sigma),
                           calibration_unit(unknown)});
-    result.json["parameters"].push_back({{"name", name_of(unknown)},
+    result.json["parameters"].push_back({{"name", calibration_name(parameters[i])},
                                          {"unit", calibration_unit(unknown)},
                                          {"told", sum.told},
                                          {"inside_share", sum.inside / count},

@@ -40,6 +40,20 @@ TEST(Nmea2000Attitude, ATrueHeadingIsTheTrueHeading) {
                heard[0].pitch_rad || heard[0].rate_of_turn_radps);
 }
 
+// 10000 * 0.0001 rad are shown; what is left obeys the law of the configuration.
+TEST(Nmea2000Attitude, TheErrorThatTheRigFileKnowsIsTakenOff) {
+  DriverOptions o = options(Kind::attitude, "nmea2000");
+  o.compass_error_rad = {0.02, -0.15, 0.08};
+  const auto shown = [&](double h) { return h + 0.02 - 0.15 * std::sin(h) + 0.08 * std::cos(h); };
+  Compass compass(o), magnetic(o);
+  compass.says(heading_id, {0, 0x10, 0x27, 0xFF, 0x7F, 0xFF, 0x7F, 0xFC});
+  EXPECT_NEAR(shown(compass.heard().at(0).heading_rad.value()), 1, 1e-7);
+  EXPECT_EQ(compass.heard()[0].true_heading_rad, compass.heard()[0].heading_rad);
+  // Variation 0.12 rad: the error is that at the true heading.
+  magnetic.says(heading_id, {0, 0x10, 0x27, 0xFF, 0x7F, 0xB0, 0x04, 0xFD});
+  EXPECT_NEAR(shown(magnetic.heard().at(0).true_heading_rad.value()), 1.12, 1e-7);
+}
+
 TEST(Nmea2000Attitude, AMagneticHeadingBecomesTrueByDeviationAndVariation) {
   Compass compass;  // 6.2 rad magnetic, deviation -0.01, variation 0.12: 6.31 - 2 pi
   compass.says(heading_id, {0, 0x30, 0xF2, 0x9C, 0xFF, 0xB0, 0x04, 0xFD});

@@ -28,6 +28,13 @@ TEST(EmLogDriver, SpeedThroughTheWaterAsSignalKReadsIt) {
               3.1484, 5e-5);
 }
 
+TEST(EmLogDriver, ALogThatShowsTwoPercentTooMuchIsPutRight) {
+  DriverOptions o = options(Kind::emlog, "nmea0183");
+  o.speed_scale = 1.02;
+  EXPECT_NEAR(speeds_of("$VMVBW,-7.1,0.1,A,,,V,,V,,V*65\r\n", o).at(0).longitudinal_mps.value(),
+              -7.1 * knot / 1.02, 1e-12);
+}
+
 TEST(EmLogDriver, AsternIsNegative) {
   EXPECT_NEAR(speeds_of("$VDVBW,-0.08,,A,,,V,,V,,V*7D\r\n").at(0).longitudinal_mps.value(),
               -0.08 * knot, 1e-12);

@@ -81,6 +81,23 @@ rig_config::DeviceConfig magnetic(const char* protocol) {
   return config;
 }
 
+// A true heading of 290 degrees shows as 290 + 2 + 3 sin 290 - 1 cos 290 = 288.84.
+TEST(EmulatedCompass, HasTheErrorThatTheRigKnows) {
+  const Frozen trajectory(under_way());
+  auto config = device(DeviceKind::attitude, "nmea2000", 10);
+  config.compass_error_rad = {2 * degree, 3 * degree, -1 * degree};
+  const auto sent = record(config, trajectory, 0.35);
+  EXPECT_NEAR(load_le<std::uint16_t>(sent.frames.at(2).frame.payload(), 1), 288.8389 * degree * 1e4,
+              0.6);
+}
+
+TEST_F(Compasses, AnErrorThatTheRigKnowsIsTakenOffAgain) {
+  auto config = magnetic("nmea2000");
+  config.compass_error_rad = {2 * degree, 3 * degree, -1 * degree};
+  run_bus(device::Kind::attitude, config);
+  EXPECT_GT(compare(2.5e-4, 1.5e-4), 880);
+}
+
 // The vehicle points to 290 degrees: 298.5 from a north that stands 8.5 degrees to the west.
 TEST(EmulatedCompass, PointsToMagneticNorthIfTheRigSaysSo) {
   const Frozen trajectory(under_way());

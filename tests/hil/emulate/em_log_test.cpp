@@ -20,6 +20,15 @@ TEST(EmulatedEmLog, SaysSpeedThroughTheWaterInKnots) {
   EXPECT_TRUE(text(sent.messages[2]).starts_with("$VMVLW,")) << text(sent.messages[2]);
 }
 
+TEST(EmulatedEmLog, ShowsAsMuchTooMuchAsTheRigSays) {
+  const Frozen trajectory(under_way());
+  auto config = device(DeviceKind::emlog, "nmea0183");
+  config.speed_scale = 1.05;
+  const auto sent = record(config, trajectory, 0);  // 2.1 m/s are 4.082 kn
+  EXPECT_TRUE(text(sent.messages.at(0)).starts_with("$VMVBW,4.082,0.251,A,,,V"))
+      << text(sent.messages[0]);
+}
+
 TEST(EmulatedEmLog, TheCurrentIsNotPartOfItsSpeed) {
   motion::Truth truth = under_way();
   truth.body_to_ned.setIdentity();

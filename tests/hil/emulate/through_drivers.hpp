@@ -43,6 +43,8 @@ class ThroughDrivers : public testing::Test, protected device::Output {
       options.dvl.maker = device::DvlMaker::water_linked;
     }
     options.dvl.velocity_of_bed = config.velocity_of_bed;
+    options.speed_scale = config.speed_scale;
+    options.compass_error_rad = config.compass_error_rad;
     return options;
   }
 
