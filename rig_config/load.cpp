@@ -25,14 +25,6 @@ Loaded<MissionConfig> build_with_vehicle(const Node& root, const std::string& pa
     if (!vehicle) return vehicle.error();
     if (has_thrusters(*vehicle)) {
       mission.thruster_vehicle = build_thruster_vehicle(*vehicle);
-      if (!mission.steering)
-        return Problems{{path, reference->at.line, reference->at.column, "/mission/vehicle",
-                         "a vehicle with thrusters cannot sail legs by itself: allowed with "
-                         "[steering], in which another program steers it"}};
-      if (steered_over_wires(mission))
-        return Problems{{path, reference->at.line, reference->at.column, "/mission/vehicle",
-                         "no bus has orders for thrusters: allowed with [steering] from = "
-                         "\"ardupilot\" or \"dds\""}};
     } else {
       mission.vehicle = build_vehicle(*vehicle);
     }
@@ -40,6 +32,7 @@ Loaded<MissionConfig> build_with_vehicle(const Node& root, const std::string& pa
   } else if (steered_over_wires(mission)) {
     mission.vehicle = kinematic_vehicle();
   }
+  if (auto problems = check_steering(root, path, mission); !problems.empty()) return problems;
   return mission;
 }
 
@@ -129,10 +122,12 @@ Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
   Problems problems;
   if (const Node* reference = root->find("rig")->find("mission")) {
     const auto mission = read_mission(beside(path, reference->text));
-    if (mission)
+    if (mission) {
       rig.mission = *mission;
-    else
+      append(problems, check_drives(*root, path, rig));
+    } else {
       append(problems, mission.error());
+    }
   }
   for_each_table(*root, "device", [&](const Node& table, std::size_t i) {
     append(problems, read_emulated_errors(table, i, rig.devices[i], path));

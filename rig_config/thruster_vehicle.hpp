@@ -13,9 +13,10 @@ struct ThrusterConfig {
   std::array<double, 3> position_m{};  ///< in the body frame
   std::array<double, 3> direction{};   ///< of the push for a positive command; any length
   double ahead_n = 0, astern_n = 0;    ///< push at full command, both positive
-  double exponent = 1;   ///< push = full push times (command beyond dead band)^exponent
-  double dead_band = 0;  ///< share of the full command without a push
-  double lag_s = 0;      ///< time constant
+  double exponent = 1;     ///< push = full push times (command beyond dead band)^exponent
+  double dead_band = 0;    ///< share of the full command without a push
+  double lag_s = 0;        ///< time constant
+  double limit_radps = 0;  ///< of the shaft at full command, in proportion to it; 0: not known
 };
 
 struct ThrusterVehicleConfig {

@@ -13,8 +13,10 @@ struct ActuatorOrder {
   std::optional<double> propeller_radps{};
 };
 
-/// The four values by their number on the wires: rudder, stern planes, bow planes, propeller.
+/// The four values by their number on the wires: rudder, stern planes, bow planes, propeller. From
+/// 4 on the numbers are those of thrusters, whose shaft is a propeller.
 inline constexpr int propeller_number = 3, actuator_count = 4;
+inline constexpr int first_thruster_number = actuator_count;
 
 template <class Order>
 constexpr auto& value_of(Order& order, int number) {

@@ -122,7 +122,7 @@ struct ActuatorState {
   std::optional<double> rudder_rad;       ///< turns to port if positive (N < 0), as in the paper
   std::optional<double> stern_plane_rad;  ///< nose down if positive (M < 0)
   std::optional<double> bow_plane_rad;
-  std::optional<double> propeller_radps;
+  std::optional<double> propeller_radps;  ///< or of the thruster that this device drives
 };
 
 enum class HeadingReference : std::uint8_t { unknown, true_north, magnetic_north };

@@ -49,7 +49,7 @@ GnssTracks::GnssTracks(std::uint16_t index, const Sensor& s)
 DepthTracks::DepthTracks(std::uint16_t index, const Sensor& s)
     : device(index), sensor(s), depth(gap_of(s)) {}
 ActuatorTracks::ActuatorTracks(std::uint16_t index, const Sensor& s)
-    : device(index), rudder(gap_of(s)), shaft(gap_of(s)) {}
+    : device(index), of_thruster(s.of_thruster), rudder(gap_of(s)), shaft(gap_of(s)) {}
 AttitudeTracks::AttitudeTracks(std::uint16_t index, const Sensor& s)
     : device(index), heading(gap_of(s)), tilt(gap_of(s)), turn(gap_of(s)) {}
 
@@ -102,7 +102,7 @@ void take(DepthTracks& tracks, const measurement::DepthSample& sample) {
 
 void take(ActuatorTracks& tracks, const measurement::ActuatorState& state) {
   if (state.rudder_rad) tracks.rudder.push(state.origin.valid_at, scalar(*state.rudder_rad));
-  if (state.propeller_radps)
+  if (state.propeller_radps && !tracks.of_thruster)
     tracks.shaft.push(state.origin.valid_at, scalar(*state.propeller_radps));
 }
 

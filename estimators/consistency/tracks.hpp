@@ -60,6 +60,7 @@ struct DepthTracks {
 struct ActuatorTracks {
   ActuatorTracks(std::uint16_t index, const Sensor& sensor);
   std::uint16_t device;
+  bool of_thruster;
   Track<1> rudder;  ///< rad
   Track<1> shaft;   ///< rad/s
 };

@@ -7,6 +7,7 @@
 #include "drivers/diagnosis/monitors/bus_monitor.hpp"
 #include "drivers/diagnosis/monitors/device_monitor.hpp"
 #include "drivers/link/clock.hpp"
+#include "drivers/measurement/actuator_order.hpp"
 #include "estimators/consistency/consistency.hpp"
 #include "estimators/frame/attitude.hpp"
 
@@ -23,6 +24,11 @@ diagnosis::Expected expected_of(const rig_config::DeviceConfig& config, std::siz
           .address = static_cast<std::uint8_t>(config.address)};
 }
 
+bool drives_thruster(const rig_config::DeviceConfig& config) {
+  return config.protocol == "cia402" &&
+         config.instance.value_or(0) >= measurement::first_thruster_number;
+}
+
 std::vector<consistency::Sensor> sensors_of(const rig_config::Rig& rig) {
   std::vector<consistency::Sensor> sensors;
   for (const auto& config : rig.devices) {
@@ -30,7 +36,8 @@ std::vector<consistency::Sensor> sensors_of(const rig_config::Rig& rig) {
     sensors.push_back({.kind = config.kind,
                        .rate_hz = config.rate_hz,
                        .lever_arm_m = Eigen::Vector3d(config.lever_arm_m.data()),
-                       .sensor_to_body = frame::ned_to_body({roll, pitch, yaw}).transpose()});
+                       .sensor_to_body = frame::ned_to_body({roll, pitch, yaw}).transpose(),
+                       .of_thruster = drives_thruster(config)});
   }
   return sensors;
 }

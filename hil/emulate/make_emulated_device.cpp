@@ -3,6 +3,7 @@
 #include <boost/throw_exception.hpp>
 #include <stdexcept>
 
+#include "drivers/measurement/actuator_order.hpp"
 #include "drivers/wire/described/description.hpp"
 #include "hil/emulate/booting_device.hpp"
 #include "hil/emulate/described/make_described.hpp"
@@ -34,6 +35,15 @@ EmulateError unknown_protocol(const DeviceConfig& config) {
           "protocol"};
 }
 
+/// True for a drive of a thruster where the motion has none for it.
+bool moves_what_is_not_there(const DeviceConfig& config, const Trajectory& trajectory) {
+  if (config.kind != rig_config::DeviceKind::actuator || config.description) return false;
+  const int thruster = config.instance.value_or(0) - measurement::first_thruster_number;
+  return thruster >= 0 && config.protocol == "cia402" &&
+         trajectory.at(trajectory.start()).thruster_radps.size() <=
+             static_cast<std::size_t>(thruster);
+}
+
 }  // namespace
 
 void throw_exception_from_error(const EmulateError& error, const boost::source_location& where) {
@@ -56,6 +66,10 @@ boost::system::result<DevicePtr, EmulateError> make_emulated_device(const Device
   }
   const Make make = maker_of(config);
   if (make == nullptr) return unknown_protocol(config);
+  if (moves_what_is_not_there(config, trajectory))
+    return EmulateError{"device \"" + config.name + "\": the emulated vehicle has no thruster " +
+                            std::to_string(*config.instance) + ", allowed: 0 to 3",
+                        "instance"};
   const auto& emulated = config.emulate;
   const Stamp booted = power.boot + measurement::from_seconds(emulated.boot_s);
   DeviceSetup setup{config, trajectory, seed, nullptr, booted, power.condition, power.memory};

@@ -2,6 +2,7 @@
 
 #include "hil/motion/ballistic_trajectory.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
+#include "hil/motion/ordered/ordered_thrusters.hpp"
 #include "hil/motion/ordered/ordered_trajectory.hpp"
 #include "hil/motion/splined/splined_trajectory.hpp"
 #include "hil/motion/steered/steered_trajectory.hpp"
@@ -12,6 +13,8 @@ namespace drydock::motion {
 
 std::unique_ptr<Trajectory> make_trajectory(const rig_config::MissionConfig& mission, Stamp start) {
   if (mission.ballistic) return std::make_unique<BallisticTrajectory>(mission, start);
+  if (rig_config::steered_over_wires(mission) && mission.thruster_vehicle)
+    return std::make_unique<OrderedThrusters>(mission, start);
   if (rig_config::steered_over_wires(mission))
     return std::make_unique<OrderedTrajectory>(mission, start);
   if (mission.track) return std::make_unique<SplinedTrajectory>(mission, start);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <boost/container/static_vector.hpp>
 #include <optional>
 
 #include "drivers/measurement/stamp.hpp"
@@ -9,6 +10,8 @@
 namespace drydock::motion {
 
 using measurement::Stamp;
+
+inline constexpr std::size_t most_thrusters = 32;  ///< of a vehicle file
 
 /// The truth from which every emulated sensor is derived. Body FRD, navigation NED, SI.
 struct Truth {
@@ -26,6 +29,8 @@ struct Truth {
   Eigen::Vector3d current_ned = Eigen::Vector3d::Zero();     ///< m/s, of the water at the vehicle
   double bed_depth_m = 0;                                    ///< the sea bed under the vehicle
   double rudder_rad = 0, stern_plane_rad = 0, bow_plane_rad = 0, propeller_radps = 0;
+  /// Of each thruster of the vehicle file. Empty: the vehicle has none, or the file no limit_rpm.
+  boost::container::static_vector<double, most_thrusters> thruster_radps;
 };
 
 /// A motion that can be evaluated at any time of the mission, in any order, with the same result.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/measurement/actuator_order.hpp"
 #include "estimators/frame/attitude.hpp"
 #include "estimators/frame/geodetic.hpp"
 
@@ -117,6 +118,12 @@ measurement::ActuatorState ideal_actuators(const Truth& truth) {
   state.bow_plane_rad = truth.bow_plane_rad;
   state.propeller_radps = truth.propeller_radps;
   return state;
+}
+
+double ideal_shaft(const Truth& truth, int actuator) {
+  if (actuator == measurement::propeller_number) return truth.propeller_radps;
+  return truth.thruster_radps.at(
+      static_cast<std::size_t>(actuator - measurement::first_thruster_number));
 }
 
 measurement::AttitudeSample ideal_attitude(const Truth& truth, const Mounting& mounting) {

@@ -44,6 +44,9 @@ double altitude_at(const Truth& truth, const ocean::Ocean& ocean, const Mounting
 
 measurement::ActuatorState ideal_actuators(const Truth& truth);
 
+/// Turns of the propeller, or of the thruster with that number, which the truth must have, rad/s.
+double ideal_shaft(const Truth& truth, int actuator);
+
 /// True heading, roll and pitch of the sensor's own axes; the rate of the body's heading.
 measurement::AttitudeSample ideal_attitude(const Truth& truth, const Mounting& mounting);
 

@@ -131,13 +131,15 @@ std::string to_json(const Summary& s) {
 }
 
 std::string to_text(const Summary& s) {
-  std::string out =
-      fmt::format("{:<10} {:<10} {:<9} {:>9} {:>9} {:>10} {:>8} {:>8} {:>6}\n", "device", "state",
-                  "source", "rate", "nominal", "messages", "skipped B", "bad sums", "reopen");
+  std::size_t name = 10;
+  for (const auto& d : s.devices) name = std::max(name, d.name.size());
+  std::string out = fmt::format("{:<{}} {:<10} {:<9} {:>9} {:>9} {:>10} {:>9} {:>8} {:>6}\n",
+                                "device", name, "state", "source", "rate", "nominal", "messages",
+                                "skipped B", "bad sums", "reopen");
   for (const auto& d : s.devices) {
-    out += fmt::format("{:<10} {:<10} {:<9} {:>6.2f} Hz {:>6.2f} Hz {:>10} {:>9} {:>8} {:>6}\n",
-                       d.name, d.state, d.provenance, d.rate_hz, d.nominal_rate_hz, d.messages,
-                       d.bytes_skipped, d.bad_checksums, d.reopens);
+    out += fmt::format("{:<{}} {:<10} {:<9} {:>6.2f} Hz {:>6.2f} Hz {:>10} {:>9} {:>8} {:>6}\n",
+                       d.name, name, d.state, d.provenance, d.rate_hz, d.nominal_rate_hz,
+                       d.messages, d.bytes_skipped, d.bad_checksums, d.reopens);
     if (!d.last_error.empty()) out += fmt::format("           last error: {}\n", d.last_error);
   }
   for (const auto& e : s.estimators) {

@@ -28,4 +28,10 @@ Problems check_faults(const Node& root, const std::string& file);
 /// mission without one.
 Problems check_mission(const Node& root, const std::string& file);
 
+/// Checks of a mission against its vehicle: who sails one with thrusters, and how it begins.
+Problems check_steering(const Node& root, const std::string& file, const MissionConfig& mission);
+
+/// Checks of the actuators of a rig, whose mission is loaded: the vehicle must have what they move.
+Problems check_drives(const Node& root, const std::string& file, const Rig& rig);
+
 }  // namespace drydock::rig_config

@@ -1,3 +1,4 @@
+#include "drivers/measurement/units.hpp"
 #include "rig_config/toml/read_keys.hpp"
 #include "rig_config/typed/build.hpp"
 
@@ -21,6 +22,7 @@ ThrusterConfig build_thruster(const Node& table) {
   read(table, "exponent", thruster.exponent);
   read(table, "dead_band", thruster.dead_band);
   read(table, "lag_s", thruster.lag_s);
+  read(table, "limit_rpm", thruster.limit_radps, units::revolution_per_minute);
   return thruster;
 }
 

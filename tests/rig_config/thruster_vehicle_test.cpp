@@ -107,10 +107,47 @@ TEST(Steering, OverTheWiresMayHaveLegsAndNeedNotHaveAVehicle) {
   EXPECT_THAT(
       lines_of(mission_with("speed_mps = 2\n" + wires + "listen = \"127.0.0.1:1\"\n").error()),
       ElementsAre(HasSubstr("only for from = \"ardupilot\"")));
+}
+
+TEST(Steering, OverTheWiresAVehicleWithThrustersBeginsAtRestAndHasNoLegs) {
+  const std::string rov = "vehicle = \"../vehicles/bluerov2.toml\"\n",
+                    wires = "[steering]\nfrom = \"wires\"\n";
+  const auto waits = mission_with(rov + wires);
+  ASSERT_TRUE(waits) << lines_of(waits.error()).front();
+  EXPECT_NEAR(waits->thruster_vehicle->thrusters[0].limit_radps, 120 * M_PI, 1e-9);
+  EXPECT_THAT(lines_of(mission_with("speed_mps = 1\n" + rov + wires).error()),
+              ElementsAre(HasSubstr(":4:13: /mission/speed_mps: a vehicle with thrusters begins")));
+  EXPECT_THAT(lines_of(mission_with("speed_mps = 0\n" + rov + wires +
+                                    "[[leg]]\nkind = \"straight\"\nduration_s = 5\n")
+                           .error()),
+              ElementsAre(HasSubstr("cannot sail legs by itself")));
+}
+
+Loaded<Rig> rig_with(const std::string& mission, const std::string& device) {
+  return load_rig_text("[rig]\nname = \"r\"\nmission = \"../missions/" + mission +
+                           "\"\n[[device]]\nname = \"a\"\nkind = \"actuator\"\nlink = "
+                           "\"memory-can:b\"\naddress = 9\nrate_hz = 10\n" +
+                           device,
+                       DRYDOCK_SOURCE_DIR "/rig_config/rigs/r.toml");
+}
+
+TEST(Steering, ADriveMovesWhatTheVehicleHas) {
+  const auto drive = [](int instance) {
+    return "protocol = \"cia402\"\ninstance = " + std::to_string(instance) + "\n";
+  };
+  EXPECT_TRUE(rig_with("thrusters.toml", drive(4)));
+  EXPECT_TRUE(rig_with("thrusters.toml", drive(9)));
+  for (const int other : {0, 3, 10})
+    EXPECT_THAT(lines_of(rig_with("thrusters.toml", drive(other)).error()),
+                ElementsAre(HasSubstr(
+                    ":11:12: /device/0/instance: vehicle bluerov2 has thrusters alone, allowed: 4 "
+                    "to 9")));
+  EXPECT_TRUE(rig_with("loop.toml", drive(3)));
+  EXPECT_THAT(lines_of(rig_with("loop.toml", drive(4)).error()),
+              ElementsAre(HasSubstr("the vehicle of the mission has no thrusters")));
   EXPECT_THAT(
-      lines_of(
-          mission_with("speed_mps = 0\nvehicle = \"../vehicles/bluerov2.toml\"\n" + wires).error()),
-      ElementsAre(HasSubstr("no bus has orders for thrusters")));
+      lines_of(rig_with("thrusters.toml", "protocol = \"nmea2000\"\n").error()),
+      ElementsAre(HasSubstr("/device/0/protocol: on NMEA 2000 nothing moves the thrusters")));
 }
 
 }  // namespace thruster_vehicle_test

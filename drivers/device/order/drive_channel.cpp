@@ -11,7 +11,7 @@ constexpr int settings = 2;
 constexpr std::chrono::milliseconds answer_within{500};
 
 cia402::Mode mode_of(int actuator) {
-  return actuator == measurement::propeller_number ? cia402::Mode::profile_velocity
+  return actuator >= measurement::propeller_number ? cia402::Mode::profile_velocity
                                                    : cia402::Mode::cyclic_position;
 }
 

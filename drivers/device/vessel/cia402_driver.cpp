@@ -32,7 +32,7 @@ void Cia402Driver::on(const cia402::DriveStatus& status, const Origin& origin, O
   if (state == cia402::DriveState::fault && state_ != state) out.report("the drive is in fault");
   state_ = state;
   const double value = status.actual * cia402::radians_per_increment;
-  if (actuator_ != measurement::propeller_number && std::abs(value) > std::numbers::pi / 2)
+  if (actuator_ < measurement::propeller_number && std::abs(value) > std::numbers::pi / 2)
     return out.refuse("a surface beyond 90 degrees was dropped: damaged on its way");
   measurement::ActuatorState measured;
   measured.origin = origin;

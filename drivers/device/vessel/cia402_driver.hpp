@@ -7,7 +7,8 @@
 namespace drydock::device {
 
 /// Feedback of one actuator from its CiA 402 drive. The configured instance says which one: 0 the
-/// rudder, 1 the stern planes, 2 the bow planes, 3 the propeller. Angles have the signs of
+/// rudder, 1 the stern planes, 2 the bow planes, 3 the propeller, from 4 on a thruster, whose turns
+/// are those of a propeller. Angles have the signs of
 /// ActuatorState. It reports a drive that goes into fault; device/order commands one.
 class Cia402Driver final : public BusDriver<wire::Cia402> {
  public:

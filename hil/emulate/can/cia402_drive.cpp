@@ -25,28 +25,27 @@ constexpr std::array<std::uint32_t, 2> position_sent{0x60410010, 0x60640020},
 using Mappings = std::array<std::span<const std::uint32_t>, 1>;
 constexpr Mappings sent_by_position{position_sent}, sent_by_velocity{velocity_sent};
 
-/// Moves the actuator whose number is the configured instance. Surfaces are positioned; the
-/// propeller is a velocity.
+/// Moves the actuator whose number is the configured instance. Surfaces are positioned; a propeller
+/// and a thruster have a velocity.
 class Cia402Drive final : public CanopenDevice {
  public:
   explicit Cia402Drive(const DeviceSetup& setup)
       : CanopenDevice(setup, servo_drive),
         number_(setup.config.instance.value_or(0)),
-        mode_(number_ == measurement::propeller_number ? Mode::profile_velocity
-                                                       : Mode::cyclic_position),
         angle_errors_(setup.primary_errors()),
         shaft_errors_(setup.secondary_errors()),
-        actuator_(setup, number_) {}
+        actuator_(setup, number_),
+        mode_(turns() ? Mode::profile_velocity : Mode::cyclic_position) {}
 
  private:
   void report(Stamp at, Wire& out) override {
-    const auto ideal = sensor::ideal_actuators(trajectory().at(at));
-    actual_ = cia402::increments_of(with_errors(ideal, at));
+    actual_ = cia402::increments_of(with_errors(trajectory().at(at), at));
     out.send(encode(cia402::DriveStatus{node(), cia402::status_word_of(state_), actual_}));
   }
 
-  double with_errors(const measurement::ActuatorState& ideal, Stamp at) {
-    if (turns()) return shaft_errors_.apply(*ideal.propeller_radps, at);
+  double with_errors(const motion::Truth& truth, Stamp at) {
+    if (turns()) return shaft_errors_.apply(sensor::ideal_shaft(truth, number_), at);
+    const auto ideal = sensor::ideal_actuators(truth);
     return angle_errors_.apply({*ideal.rudder_rad, *ideal.stern_plane_rad, *ideal.bow_plane_rad},
                                at)[number_];
   }
@@ -143,13 +142,13 @@ class Cia402Drive final : public CanopenDevice {
     return turns() ? sent_by_velocity : sent_by_position;
   }
 
-  bool turns() const { return number_ == measurement::propeller_number; }
+  bool turns() const { return actuator_.turns(); }
 
   int number_;
-  Mode mode_;                       ///< the only one that it has
-  std::optional<Mode> shown_mode_;  ///< empty: nobody has set it yet
   sensor::ErrorModel angle_errors_, shaft_errors_;
   OrderedActuator actuator_;
+  Mode mode_;                       ///< the only one that it has
+  std::optional<Mode> shown_mode_;  ///< empty: nobody has set it yet
   DriveState state_ = DriveState::switch_on_disabled;
   std::uint16_t word_ = 0;
   std::int32_t target_ = 0, actual_ = 0;

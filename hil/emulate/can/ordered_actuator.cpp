@@ -12,14 +12,11 @@ OrderedActuator::OrderedActuator(const DeviceSetup& setup, int number)
       number_(number) {}
 
 OrderedActuator::~OrderedActuator() {
-  if (ordered_at_ && number_ == measurement::propeller_number) give(0, *ordered_at_);
+  if (ordered_at_ && turns()) give(0, *ordered_at_);
 }
 
 void OrderedActuator::give(double value, Stamp at) {
-  if (vehicle_ == nullptr) return;
-  measurement::ActuatorOrder order;
-  value_of(order, number_) = value;
-  vehicle_->give(order, at);
+  if (vehicle_ != nullptr) vehicle_->give(number_, value, at);
 }
 
 void OrderedActuator::order(double value, Stamp at) {
@@ -36,7 +33,7 @@ void OrderedActuator::rest(Stamp at) {
 
 void OrderedActuator::stop(Stamp at) {
   const auto stands = sensor::ideal_actuators(trajectory_.at(at));
-  give(number_ == measurement::propeller_number ? 0 : value_of(stands, number_).value_or(0), at);
+  give(turns() ? 0 : value_of(stands, number_).value_or(0), at);
 }
 
 bool OrderedActuator::times_out(Stamp at, std::chrono::nanoseconds patience) {

@@ -10,16 +10,18 @@ namespace drydock::emulate {
 /// the vehicle. Under the fault "stuck" it stands where it was, under "delay" it moves later.
 class OrderedActuator {
  public:
-  /// `number` is that of measurement::value_of().
+  /// `number` as in drivers/measurement/actuator_order.hpp.
   OrderedActuator(const DeviceSetup& setup, int number);
-  /// A propeller whose node has lost its power stops; a surface goes to its last order.
+  /// A propeller or thruster whose node has lost its power stops; a surface goes to its last order.
   ~OrderedActuator();
   OrderedActuator(const OrderedActuator&) = delete;
   OrderedActuator& operator=(const OrderedActuator&) = delete;
 
   void order(double value, Stamp at);  ///< rad, rad/s
   void rest(Stamp at);  ///< nobody steers any more: amidships, or no rate of rotation
-  void stop(Stamp at);  ///< without force: a surface stays where it is, a propeller stops
+  void stop(Stamp at);  ///< without force: a surface stays where it is, a shaft stops
+
+  bool turns() const { return number_ >= measurement::propeller_number; }
 
   /// True once in a time without orders that is longer than `patience`.
   bool times_out(Stamp at, std::chrono::nanoseconds patience);

@@ -1,24 +1,27 @@
 #pragma once
 
-#include <array>
 #include <mutex>
+#include <span>
 #include <vector>
 
-#include "hil/motion/ordered/takes_orders.hpp"
-#include "hil/motion/vehicle/helm.hpp"
+#include "drivers/measurement/stamp.hpp"
 
 namespace drydock::motion {
 
-/// All orders that the actuators of a vehicle got: a helm. An actuator takes up an order with its
-/// next cycle of 10 ms. Until its first order a surface is amidships, and the propeller keeps the
-/// rate of the speed at which the mission begins.
-class OrderLog final : public Helm, public OrderSink {
- public:
-  OrderLog(const rig_config::VehicleConfig& vehicle, double speed_mps, Stamp start);
+using measurement::Stamp;
 
-  void give(const measurement::ActuatorOrder& order, Stamp at) override;
-  Command command(std::int64_t step, const VehicleState& state,
-                  AutopilotMemory& memory) const override;
+/// All orders that the actuators of a vehicle got. An actuator takes up an order with its next
+/// cycle of 10 ms.
+class OrderLog {
+ public:
+  /// `first`: what each actuator does until its first order.
+  OrderLog(const std::vector<double>& first, Stamp start);
+
+  /// As OrderSink::give().
+  void give(std::size_t actuator, double value, Stamp at);
+
+  /// What the actuators were told at a step of 10 ms. From then on no order changes that.
+  void read(std::int64_t step, std::span<double> values) const;
 
  private:
   struct Entry {
@@ -29,10 +32,9 @@ class OrderLog final : public Helm, public OrderSink {
 
   static double value_at(const Series& series, std::int64_t step);
 
-  double advance_m_;
   Stamp start_;
   mutable std::mutex mutex_;
-  std::array<Series, measurement::actuator_count> series_;
+  std::vector<Series> series_;
   mutable std::int64_t asked_ = 0;  ///< the latest step that was asked for; the first is fixed
 };
 

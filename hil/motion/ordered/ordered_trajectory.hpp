@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hil/motion/ordered/order_log.hpp"
+#include "hil/motion/ordered/order_helm.hpp"
 #include "hil/motion/vehicle/voyage.hpp"
 
 namespace drydock::motion {
@@ -22,7 +22,7 @@ class OrderedTrajectory final : public Trajectory, public TakesOrders {
   OrderSink* orders() const override { return &orders_; }
 
  private:
-  mutable OrderLog orders_;
+  mutable OrderHelm orders_;
   Voyage voyage_;
   Stamp start_;
   double planned_s_;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "drivers/measurement/actuator_order.hpp"
 #include "hil/motion/truth.hpp"
 
 namespace drydock::motion {
@@ -9,10 +8,11 @@ namespace drydock::motion {
 class OrderSink {
  public:
   virtual ~OrderSink() = default;
-  /// The actuators follow the order from `at` on, with their limits, rates and lags. A time that
-  /// was asked for already counts as the first one after it. The last order that is given replaces
-  /// those that have not begun.
-  virtual void give(const measurement::ActuatorOrder& order, Stamp at) = 0;
+  /// The actuator, by its number on the wires (drivers/measurement/actuator_order.hpp), follows the
+  /// order (rad, rad/s) from `at` on, with its limits, rate and lag. A time that was asked for
+  /// already counts as the first one after it. The last order that is given replaces those that
+  /// have not begun.
+  virtual void give(int actuator, double value, Stamp at) = 0;
 };
 
 /// A motion that may have actuators under orders, or passes on one that has.

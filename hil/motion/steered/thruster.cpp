@@ -28,10 +28,10 @@ double Thruster::command_for(double push_n) const {
   return std::copysign(size, push_n);
 }
 
-void Thruster::step(double command, double dt) {
-  const double wanted = steady_push_n(command);
+ThrusterRun Thruster::after(const ThrusterRun& run, double command, double dt) const {
   const double kept = config_.lag_s > 0 ? std::exp(-dt / config_.lag_s) : 0;
-  push_n_ = wanted + (push_n_ - wanted) * kept;
+  const double push_n = steady_push_n(command), turns = std::clamp(command, -1.0, 1.0);
+  return {push_n + (run.push_n - push_n) * kept, turns + (run.command - turns) * kept};
 }
 
 }  // namespace drydock::motion

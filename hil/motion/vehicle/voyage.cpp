@@ -7,17 +7,12 @@ namespace drydock::motion {
 
 namespace {
 
-constexpr std::int64_t block_steps = 1024;  // 10.24 s
-constexpr std::size_t kept_blocks = 4;
-
 double seconds_of(std::int64_t step) { return static_cast<double>(step * voyage_step_ns) * 1e-9; }
 
 }  // namespace
 
 Voyage::Voyage(const rig_config::MissionConfig& mission, const Helm& helm, Edges edges)
-    : motion_(mission), helm_(helm), edges_(edges) {
-  starts_.push_back(first(mission));
-}
+    : motion_(mission), helm_(helm), edges_(edges), steps_(first(mission)) {}
 
 VoyageStep Voyage::first(const rig_config::MissionConfig& mission) const {
   VoyageStep step{.state = {},
@@ -35,43 +30,8 @@ VoyageStep Voyage::first(const rig_config::MissionConfig& mission) const {
 }
 
 VoyageStep Voyage::at(std::int64_t step) const {
-  const std::lock_guard lock(mutex_);
-  const std::int64_t index = step / block_steps;
-  while (static_cast<std::int64_t>(starts_.size()) <= index) {
-    const auto last = static_cast<std::int64_t>(starts_.size()) - 1;
-    extend(block(last), block_steps);
-  }
-  const auto within = static_cast<std::size_t>(step % block_steps);
-  Block& there = block(index);
-  extend(there, within + 1);
-  return there.steps[within];
-}
-
-/// Returns the block, which may be in memory already, with at least its first step.
-Voyage::Block& Voyage::block(std::int64_t index) const {
-  for (auto found = blocks_.begin(); found != blocks_.end(); ++found)
-    if (found->index == index) {
-      blocks_.splice(blocks_.begin(), blocks_, found);
-      return blocks_.front();
-    }
-  if (blocks_.size() < kept_blocks) {
-    blocks_.emplace_front().steps.reserve(block_steps);
-  } else {
-    blocks_.splice(blocks_.begin(), blocks_, std::prev(blocks_.end()));
-  }
-  blocks_.front().index = index;
-  blocks_.front().steps.assign(1, starts_[static_cast<std::size_t>(index)]);
-  return blocks_.front();
-}
-
-void Voyage::extend(Block& block, std::size_t steps) const {
-  const std::int64_t begins = block.index * block_steps;
-  while (block.steps.size() < steps)
-    block.steps.push_back(
-        after(block.steps.back(), begins + static_cast<std::int64_t>(block.steps.size()) - 1));
-  const auto next = static_cast<std::size_t>(block.index + 1);
-  if (steps == block_steps && starts_.size() == next)
-    starts_.push_back(after(block.steps.back(), begins + block_steps - 1));
+  return steps_.at(
+      step, [this](const VoyageStep& before, std::int64_t index) { return after(before, index); });
 }
 
 VoyageStep Voyage::after(const VoyageStep& step, std::int64_t index) const {

@@ -1,13 +1,24 @@
+#include "hil/motion/ordered/ordered_thrusters.hpp"
 #include "tests/hil/emulate/ordered_node.hpp"
 
 namespace drydock::emulate {
 namespace {
 
+/// The BlueROV2, 5 m deep.
+std::unique_ptr<motion::Trajectory> rov() {
+  return std::make_unique<motion::OrderedThrusters>(
+      rig_config::load_mission(DRYDOCK_SOURCE_DIR "/rig_config/missions/thrusters.toml").value(),
+      start);
+}
+
 /// The drive of the stern planes (node 1), set up by its master and in operation.
 struct Drive : Node {
-  explicit Drive(int instance = 1) : Node(actuator("cia402", instance)) {
+  explicit Drive(int instance = 1)
+      : Node(actuator("cia402", instance),
+             instance > 3 ? rov()
+                          : std::make_unique<motion::OrderedTrajectory>(under_orders(), start)) {
     hear("000#0101");  // NMT: start node 1
-    hear(instance == 3 ? "601#2F60600003000000"
+    hear(instance >= 3 ? "601#2F60600003000000"
                        : "601#2F60600008000000");  // mode: velocity, position
     for (const char* word : {"06", "07", "0F"}) hear(order(word, "00000000"));
   }
@@ -49,6 +60,31 @@ TEST(Cia402Drive, AShaftTurnsAtItsTargetVelocity) {
   Drive drive(3);
   drive.hear(Drive::order("0F", "00000A00"));  // 655360 increments a second: ten turns
   EXPECT_NEAR(drive.at(2.5).propeller_radps, 20 * std::numbers::pi, 1e-6);
+}
+
+// Half of 3600 r/min are 30 turns a second, 1966080 increments a second (1E0000h).
+TEST(Cia402Drive, AThrusterTurnsAtItsTargetVelocityAndStopsWithoutItsMaster) {
+  Drive drive(8);
+  drive.hear("601#23161001D0077F00");  // 2000 ms of node 127
+  drive.hear("77F#05");
+  drive.hear(Drive::order("0F", "00001E00"));
+  const motion::Truth turning = drive.at(2.4);
+  EXPECT_NEAR(turning.thruster_radps.at(4), 60 * std::numbers::pi, 1e-4);
+  EXPECT_NEAR(turning.thruster_radps.at(5), 0, 0);
+  EXPECT_EQ(drive.last(0x181), "181#370200001E00");
+  drive.run(3);
+  EXPECT_EQ(drive.last(0x081), "081#3081110000000000");
+  EXPECT_NEAR(drive.at(5).thruster_radps.at(4), 0, 1e-6);
+  drive.hear(Drive::order("0F", "0000E2FF"));  // a drive in fault follows nothing
+  EXPECT_NEAR(drive.at(6).thruster_radps.at(4), 0, 1e-6);
+}
+
+TEST(Cia402Drive, ADriveOfAThrusterThatIsNotThereIsRefused) {
+  const motion::OrderedTrajectory fins(under_orders(), start);
+  const auto made = make_emulated_device(actuator("cia402", 7), fins, 1);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().key, "instance");
+  EXPECT_NE(made.error().message.find("no thruster 7, allowed: 0 to 3"), std::string::npos);
 }
 
 // CiA 301: object 1016h is node << 16 | ms; emergency 8130h is the loss of a heartbeat.

@@ -31,8 +31,10 @@ inline rig_config::DeviceConfig actuator(std::string protocol, int instance) {
 
 /// An emulated node that has booted, and the vehicle that it moves.
 struct Node {
-  explicit Node(const rig_config::DeviceConfig& config)
-      : device(make_emulated_device(config, vehicle, 1).value()) {
+  explicit Node(const rig_config::DeviceConfig& config,
+                std::unique_ptr<motion::Trajectory> moved =
+                    std::make_unique<motion::OrderedTrajectory>(under_orders(), start))
+      : vehicle(std::move(moved)), device(make_emulated_device(config, *vehicle, 1).value()) {
     run(0.5);
   }
   void run(double until_s) { sent.run(*device, at_s(until_s)); }
@@ -40,10 +42,10 @@ struct Node {
   /// Lets the time go on to t.
   motion::Truth at(double t) {
     run(t);
-    return vehicle.at(at_s(t));
+    return vehicle->at(at_s(t));
   }
 
-  motion::OrderedTrajectory vehicle{under_orders(), start};
+  std::unique_ptr<motion::Trajectory> vehicle;
   std::unique_ptr<EmulatedDevice> device;
   Recorder sent;
 };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "drivers/measurement/actuator_order.hpp"
 #include "estimators/frame/attitude.hpp"
 #include "hil/motion/make_trajectory.hpp"
 #include "rig_config/kinematic_vehicle.hpp"
@@ -10,6 +11,11 @@
 
 namespace drydock::motion {
 namespace {
+
+void give(OrderSink& sink, const measurement::ActuatorOrder& order, Stamp at) {
+  for (int actuator = 0; actuator < measurement::actuator_count; ++actuator)
+    if (const auto& value = value_of(order, actuator)) sink.give(actuator, *value, at);
+}
 
 /// The NPS AUV II under way at 1500 rpm, 20 m deep.
 rig_config::MissionConfig under_orders() {
@@ -26,7 +32,7 @@ rig_config::MissionConfig under_orders() {
 struct Ordered {
   std::unique_ptr<Trajectory> motion = make_trajectory(under_orders(), start);
   void give(const measurement::ActuatorOrder& order, double t) {
-    orders_of(*motion)->give(order, at_s(t));
+    motion::give(*orders_of(*motion), order, at_s(t));
   }
 };
 
@@ -122,7 +128,7 @@ TEST(OrderedTrajectory, AVehicleWithoutAHullFollowsItsActuators) {
   mission.vehicle = rig_config::kinematic_vehicle();
   const OrderedTrajectory motion(mission, start);
   const double before = mission.speed_mps, ordered = 0.012 * 100;
-  motion.orders()->give({.rudder_rad = 10 * degree, .propeller_radps = 100}, start);
+  give(*motion.orders(), {.rudder_rad = 10 * degree, .propeller_radps = 100}, start);
   const auto speed = [&](double t) { return motion.at(at_s(t)).velocity_body.x(); };
   const double t = 0.8, both = (0.5 * std::exp(-t / 0.5) - 0.1 * std::exp(-t / 0.1)) / 0.4;
   EXPECT_NEAR(speed(t + 0.01), ordered + (before - ordered) * both, 1e-6);  // one cycle later
@@ -130,8 +136,8 @@ TEST(OrderedTrajectory, AVehicleWithoutAHullFollowsItsActuators) {
   EXPECT_NEAR(truth.velocity_body.x(), 1.2, 1e-6);
   EXPECT_NEAR(truth.velocity_ned.norm() / -truth.rate_body.z(), 29.4, 1e-3);
   EXPECT_NEAR(truth.roll_rad, 0, 1e-9);
-  motion.orders()->give(
-      {.rudder_rad = 0, .stern_plane_rad = 2 * degree, .bow_plane_rad = -2 * degree}, at_s(60));
+  give(*motion.orders(),
+       {.rudder_rad = 0, .stern_plane_rad = 2 * degree, .bow_plane_rad = -2 * degree}, at_s(60));
   EXPECT_NEAR(motion.at(at_s(70)).rate_body.y(), -1.2 * 2 * degree / (10 * degree * 29.4), 1e-5);
 }
 
