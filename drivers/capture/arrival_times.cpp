@@ -27,4 +27,14 @@ bool ArrivalTimes::are_told() const {
   return latest_ - earliest_ >= shortest_bit * static_cast<std::int64_t>(bits_);
 }
 
+ArrivalTimes arrival_times_of(CaptureFile& file) {
+  ArrivalTimes arrivals;
+  while (!arrivals.enough()) {
+    const auto record = file.next();
+    if (!record) break;
+    arrivals.add(*record);
+  }
+  return arrivals;
+}
+
 }  // namespace drydock::capture

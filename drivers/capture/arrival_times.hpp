@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "drivers/capture/capture_file.hpp"
 #include "drivers/capture/record.hpp"
 
 namespace drydock::capture {
@@ -27,5 +28,8 @@ class ArrivalTimes {
   std::optional<std::chrono::nanoseconds> first_;
   std::chrono::nanoseconds earliest_{}, latest_{};
 };
+
+/// Of the frames that the file has next; it reads no more than are enough.
+ArrivalTimes arrival_times_of(CaptureFile& file);
 
 }  // namespace drydock::capture

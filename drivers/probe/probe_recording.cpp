@@ -21,13 +21,7 @@ using link::Stamp;
 /// True if the capture keeps when its frames arrived.
 bool tells_arrival(const link::Uri& uri) {
   auto file = link::capture_of(uri);
-  capture::ArrivalTimes arrivals;
-  while (!arrivals.enough()) {
-    const auto record = file.next();
-    if (!record) break;
-    arrivals.add(*record);
-  }
-  return arrivals.are_told();
+  return capture::arrival_times_of(file).are_told();
 }
 
 /// Surveys a CAN capture, in its own time. False if the content is no CAN capture.

@@ -41,13 +41,7 @@ RecordedTimes device_times(const link::Uri& uri, const DriverOptions& driver, Tr
 
 capture::ArrivalTimes arrival_times(const link::Uri& uri) {
   capture::CaptureFile file = link::capture_of(uri);
-  capture::ArrivalTimes arrivals;
-  while (!arrivals.enough()) {
-    const auto record = file.next();
-    if (!record) break;
-    arrivals.add(*record);
-  }
-  return arrivals;
+  return capture::arrival_times_of(file);
 }
 
 std::optional<std::chrono::nanoseconds> first_read(const link::Uri& uri, std::string line_name) {
