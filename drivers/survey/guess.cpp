@@ -11,12 +11,16 @@
 namespace drydock::survey {
 namespace {
 
-/// A few damaged bytes make no binary protocol of it.
+/// A few damaged bytes make no binary protocol of it, nor do degree signs: a binary protocol has
+/// control characters too.
 bool is_text(wire::Bytes capture) {
-  const auto plain = std::ranges::count_if(capture, [](std::uint8_t c) {
-    return (c >= 0x20 && c <= 0x7E) || c == '\t' || c == '\r' || c == '\n';
-  });
-  return static_cast<std::size_t>(plain) * 100 >= capture.size() * 99;
+  std::size_t plain = 0, control = 0;
+  for (const std::uint8_t c : capture) {
+    const bool is_plain = (c >= 0x20 && c <= 0x7E) || c == '\t' || c == '\r' || c == '\n';
+    plain += is_plain ? 1 : 0;
+    control += !is_plain && c < 0x80 ? 1 : 0;
+  }
+  return control * 100 <= capture.size() && plain * 4 >= capture.size() * 3;
 }
 
 /// Bytes of the sentence that begins here, with its line end; 0: none with a right checksum does.

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <ranges>
+#include <set>
 #include <vector>
 
 #include "drivers/survey/guess.hpp"
 #include "drivers/survey/left_out.hpp"
+#include "drivers/survey/line_cut.hpp"
 #include "drivers/wire/text_fields.hpp"
 
 /// Lines that no checksum proves: those that differ in their numbers alone are one message, and its
@@ -14,106 +17,86 @@
 namespace drydock::survey {
 namespace {
 
-constexpr std::size_t most_groups = 32, most_decimals = 12, fewest_lines = 4, most_forms = 16;
+constexpr std::size_t most_decimals = 12, fewest_lines = 4, most_forms = 16;
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-/// A description has no other characters.
+/// A letter that is not of ASCII, such as a degree sign, or a byte of one.
+constexpr bool is_foreign(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 bool is_printable(std::string_view line) {
-  return std::ranges::all_of(line, [](char c) { return (c >= ' ' && c <= '~') || c == '\t'; });
-}
-constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-
-/// The text between the numbers of a line (one more than there are numbers), and the numbers.
-struct Cut {
-  std::vector<std::string> texts{""};
-  std::vector<std::string_view> numbers;
-};
-
-/// Characters of "e-05" behind the digits of a number; 0: there is no exponent.
-std::size_t exponent_at(std::string_view text) {
-  if (text.size() < 3 || (text[0] != 'e' && text[0] != 'E')) return 0;
-  if (text[1] != '-' && text[1] != '+') return 0;  // "12E" is 12 and a letter
-  std::size_t i = 2;
-  while (i < text.size() && is_digit(text[i])) ++i;
-  return i > 2 ? i : 0;
+  return std::ranges::all_of(
+      line, [](char c) { return (c >= ' ' && c <= '~') || c == '\t' || is_foreign(c); });
 }
 
-/// Characters of the number that begins here; 0: none does. A sign belongs to it where nothing
-/// that a minus could join stands before.
-std::size_t number_at(std::string_view line, std::size_t at) {
-  const char before = at == 0 ? ' ' : line[at - 1];
-  std::size_t i = at;
-  if ((line[i] == '-' || line[i] == '+') && !is_digit(before) && !is_letter(before)) ++i;
-  const std::size_t digits = i;
-  while (i < line.size() && is_digit(line[i])) ++i;
-  if (i == digits) return 0;
-  const bool has_point = i + 1 < line.size() && line[i] == '.' && is_digit(line[i + 1]);
-  // "T1" is a name, "D0012.3" and "D0012" are a letter and a number.
-  constexpr std::size_t longest_name = 2;
-  if (is_letter(before) && !has_point && i - digits <= longest_name) return 0;
-  if (has_point) ++i;
-  while (has_point && i < line.size() && is_digit(line[i])) ++i;
-  return i + exponent_at(line.substr(i)) - at;
-}
-
-Cut cut_at_numbers(std::string_view line) {
-  Cut cut;
-  for (std::size_t i = 0; i < line.size();) {
-    const std::size_t size = cut.numbers.size() < most_groups ? number_at(line, i) : 0;
-    if (size == 0) {
-      // The digits of a name are not looked at one by one.
-      do cut.texts.back() += line[i++];
-      while (i < line.size() && is_digit(line[i]) && is_digit(line[i - 1]));
-      continue;
-    }
-    cut.numbers.push_back(line.substr(i, size));
-    cut.texts.emplace_back();
-    i += size;
-  }
-  return cut;
-}
-
+/// What stood at one place of the lines.
 struct Numbers {
+  std::size_t count = 0;
   double low = 0, high = 0;
   std::size_t decimals = 0;
   bool has_plus = false, has_exponent = false;
-};
+  std::size_t fewest_blanks = most_groups, most_blanks = 0;  ///< before it
+  std::set<std::string, std::less<>> gaps;                   ///< in the place of a number
 
-/// All lines with the same texts.
-struct Form {
-  std::size_t lines = 0;
-  std::string example;
-  std::vector<Numbers> columns;
-
-  void add(std::string_view line, const Cut& cut) {
-    if (lines++ == 0) {
-      example = line;
-      columns.resize(cut.numbers.size());
+  void add(std::string_view text, std::size_t blanks) {
+    fewest_blanks = std::min(fewest_blanks, blanks);
+    most_blanks = std::max(most_blanks, blanks);
+    const auto number = wire::parse_number(text);
+    if (!number) {
+      gaps.emplace(text);
+      return;
     }
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      Numbers& column = columns[i];
-      const std::string_view text = cut.numbers[i];
-      const double number = wire::parse_number(text).value_or(0);
-      column.low = lines == 1 ? number : std::min(column.low, number);
-      column.high = lines == 1 ? number : std::max(column.high, number);
-      column.has_plus |= text[0] == '+';
-      const std::size_t power = std::min(text.find_first_of("eE"), text.size());
-      column.has_exponent |= power < text.size();
-      const std::size_t point = text.find('.');
-      if (point != text.npos)
-        column.decimals = std::clamp(power - point - 1, column.decimals, most_decimals);
-    }
+    low = count == 0 ? *number : std::min(low, *number);
+    high = count == 0 ? *number : std::max(high, *number);
+    ++count;
+    has_plus |= text[0] == '+';
+    const std::size_t power = std::min(text.find_first_of("eE"), text.size());
+    has_exponent |= power < text.size();
+    const std::size_t point = text.find('.');
+    if (point != text.npos) decimals = std::clamp(power - point - 1, decimals, most_decimals);
   }
 };
 
+/// All lines with the same texts but for their ends.
+struct Form {
+  std::size_t lines = 0;
+  std::string example;
+  std::vector<std::string> texts;           ///< of the first
+  std::map<std::string, std::size_t> ends;  ///< and how often
+  std::vector<Numbers> columns;
+
+  void add(std::string_view line, const LineCut& cut) {
+    if (lines++ == 0) {
+      example = line;
+      texts = cut.texts;
+      columns.resize(cut.numbers.size());
+    }
+    ++ends[cut.texts.back()];
+    for (std::size_t i = 0; i < columns.size(); ++i) columns[i].add(cut.numbers[i], cut.blanks[i]);
+  }
+  bool has_numbers() const {
+    return std::ranges::any_of(columns, [](const Numbers& column) { return column.count > 0; });
+  }
+};
+
+/// By the texts. Ends that are words, such as "OK" and "ERR" behind a comma, are none of them.
 using Forms = std::map<std::vector<std::string>, Form>;
-using OneForm = Forms::value_type;
+
+std::vector<std::string> key_of(const LineCut& cut) {
+  std::vector<std::string> key = cut.texts;
+  std::string& end = key.back();
+  const bool is_word =
+      end.size() > 1 && !is_letter(end[0]) && std::ranges::all_of(end.substr(1), is_letter);
+  if (is_word && key.size() > 1) end.resize(1);
+  return key;
+}
 
 /// Text as RE2 takes it literally, inside a literal string of TOML, which has no apostrophe.
+/// Letters that are not of ASCII may be any, and may be left out.
 std::string regex_of(std::string_view text) {
+  constexpr std::string_view foreign = "[^ -~]*";
   std::string out;
   for (const char c : text) {
-    if (c == '\'' || c == '\t')
+    if (is_foreign(c))
+      out += out.ends_with(foreign) ? std::string_view() : foreign;
+    else if (c == '\'' || c == '\t')
       out += fmt::format("\\x{:02x}", static_cast<unsigned>(c));
     else if (is_letter(c) || is_digit(c) ||
              std::string_view(" ,;:=#%&/<>@_~\"!").find(c) != std::string_view::npos)
@@ -128,6 +111,7 @@ std::string regex_of(std::string_view text) {
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
+    if (is_foreign(c)) continue;
     if (c == '\t') {
       out += "\\t";
       continue;
@@ -142,30 +126,69 @@ std::string escaped(std::string_view text) {
 constexpr std::size_t longest_head = 32, longest_pattern = 512;
 
 std::string_view head_of(std::string_view text) {
-  return text.substr(0, std::min(longest_head, text.find('\t')));
+  const auto other = std::ranges::find_if(text, [](char c) { return c == '\t' || is_foreign(c); });
+  return text.substr(0, std::min<std::size_t>(longest_head, other - text.begin()));
+}
+
+/// The text before a number, with a blank if one always stands there.
+std::string text_before(const Form& form, std::size_t column) {
+  return form.texts[column] + (form.columns[column].fewest_blanks > 0 ? " " : "");
+}
+
+std::string number_pattern(const Numbers& column, std::size_t i) {
+  if (column.count == 0) return {};
+  return fmt::format("(?P<c{}>{}?[0-9.]+{})", i + 1, column.has_plus ? "[-+]" : "-",
+                     column.has_exponent ? "(?:[eE][-+][0-9]+)?" : "");
+}
+
+/// One of several texts; `first` may be a pattern, or empty.
+template <class Texts>
+std::string any_of(std::string first, const Texts& texts) {
+  std::size_t count = first.empty() ? 0 : 1;
+  for (const auto& text : texts) {
+    first += (count++ > 0 ? "|" : "") + regex_of(text);
+  }
+  return count > 1 ? "(?:" + first + ")" : first;
+}
+
+/// The end that came most often is what the emulated device sends.
+std::string usual_end(const Form& form) {
+  return std::ranges::max_element(form.ends, {}, [](const auto& end) { return end.second; })->first;
+}
+
+std::string end_pattern(const Form& form) {
+  constexpr std::size_t few = 8;
+  if (form.ends.size() <= few) return any_of({}, form.ends | std::views::keys);
+  return regex_of(form.ends.begin()->first.substr(0, 1)) + "[A-Za-z]+";
 }
 
 /// Nothing if the pattern is too long for a description.
-std::optional<std::string> form_text(const OneForm& one, std::size_t number) {
-  const auto& [texts, form] = one;
-  const std::string_view head = head_of(texts[0]),
-                         behind = std::string_view(texts[0]).substr(head.size());
+std::optional<std::string> form_text(const Form& form, std::size_t number) {
+  const std::string begin = text_before(form, 0), end = usual_end(form);
+  const std::string_view head = head_of(begin),
+                         behind = std::string_view(begin).substr(head.size());
   std::string pattern = regex_of(behind), emulate(behind), fields;
   for (std::size_t i = 0; i < form.columns.size(); ++i) {
     const Numbers& column = form.columns[i];
-    pattern +=
-        fmt::format("(?P<c{}>{}?[0-9.]+{}){}", i + 1, column.has_plus ? "[-+]" : "-",
-                    column.has_exponent ? "(?:[eE][-+][0-9]+)?" : "", regex_of(texts[i + 1]));
-    emulate += fmt::format("{{c{}}}{}", i + 1, texts[i + 1]);
+    const bool is_last = i + 1 == form.columns.size();
+    const std::string next = is_last ? end : text_before(form, i + 1);
+    if (column.most_blanks > 0) pattern += pattern.ends_with(' ') ? "+" : " *";
+    pattern += any_of(number_pattern(column, i), column.gaps);
+    pattern += is_last ? end_pattern(form) : regex_of(next);
+    emulate += column.count > 0 ? fmt::format("{{c{}}}", i + 1) : *column.gaps.begin();
+    emulate += next;
+    if (column.count == 0) continue;
     fields += fmt::format(
-        "  {{ group = \"c{0}\", name = \"column_{0}\", decimals = {1} }},  # {2} to {3}\n", i + 1,
-        column.decimals, column.low, column.high);
+        "  {{ group = \"c{0}\", name = \"column_{0}\", decimals = {1} }},  # {2} to {3}{4}\n",
+        i + 1, column.decimals, column.low, column.high,
+        column.gaps.empty() ? "" : ", sometimes none");
   }
   if (std::max(pattern.size(), emulate.size()) > longest_pattern) return {};
   return fmt::format(
       "\n[[protocol.lines]]             # {} times, as {}\nname = \"line_{}\"\nhead = \"{}\"\n"
       "pattern = '{}'\nemulate = \"{}\"\nfields = [\n{}]\n",
-      form.lines, form.example, number, escaped(head), pattern, escaped(emulate), fields);
+      form.lines, in_comment(form.example), number, escaped(head), pattern, escaped(emulate),
+      fields);
 }
 
 /// The program refuses two patterns that one line could begin.
@@ -174,20 +197,18 @@ bool heads_meet(std::string_view a, std::string_view b) {
 }
 
 std::string forms_text(const Forms& forms, LeftOut& left_out) {
-  std::vector<const OneForm*> often;
-  for (const auto& form : forms) often.push_back(&form);
-  std::ranges::stable_sort(often, std::ranges::greater{},
-                           [](auto* one) { return one->second.lines; });
+  std::vector<const Form*> often;
+  for (const auto& form : forms) often.push_back(&form.second);
+  std::ranges::stable_sort(often, std::ranges::greater{}, &Form::lines);
   std::string out = "\n[protocol]\n# lines without a checksum\n";
-  std::vector<std::string_view> heads;
-  for (const OneForm* one : often) {
-    const auto& [texts, form] = *one;
-    const std::string_view head = head_of(texts[0]);
-    const bool meets = std::ranges::any_of(heads, [&](auto h) { return heads_meet(h, head); });
-    const bool seldom = form.columns.empty() || form.lines < 2 || heads.size() == most_forms;
-    const auto text = meets || seldom ? std::nullopt : form_text(*one, heads.size() + 1);
+  std::vector<std::string> heads;
+  for (const Form* form : often) {
+    const bool seldom = !form->has_numbers() || form->lines < 2 || heads.size() == most_forms;
+    const std::string head(seldom ? "" : head_of(text_before(*form, 0)));
+    const bool meets = std::ranges::any_of(heads, [&](auto& h) { return heads_meet(h, head); });
+    const auto text = meets || seldom ? std::nullopt : form_text(*form, heads.size() + 1);
     if (!text) {
-      left_out.add(form.example, form.lines);
+      left_out.add(form->example, form->lines);
       continue;
     }
     heads.push_back(head);
@@ -208,8 +229,8 @@ std::string guess_lines(const std::vector<std::string_view>& lines) {
       left_out.add(lines[i]);
       continue;
     }
-    Cut cut = cut_at_numbers(lines[i]);
-    forms[cut.texts].add(lines[i], cut);
+    const LineCut cut = cut_at_numbers(lines[i]);
+    forms[key_of(cut)].add(lines[i], cut);
   }
   return forms.size() * 2 > lines.size() ? std::string() : forms_text(forms, left_out);
 }

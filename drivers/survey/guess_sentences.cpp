@@ -63,7 +63,7 @@ bool is_id(std::string_view word) {
 }
 
 /// How a sentence is cut into fields: at commas behind its id, or at one character behind each
-/// number, as in $C320.5P0.2R-18.3T20.1.
+/// number, as in $C320.5P0.2R-18.3T20.1 and "PRS 12.50,8.1".
 struct SentenceForm {
   std::string id;
   std::string ends;  ///< empty: commas
@@ -96,8 +96,9 @@ std::optional<CutSentence> cut_at_commas(std::string_view body) {
 
 std::optional<CutSentence> cut_at_letters(std::string_view body) {
   const std::size_t head = std::min(body.find_first_of("+-0123456789."), body.size());
-  CutSentence cut{{std::string(body.substr(0, head)), {}, 0}, {}};
-  if (!is_id(cut.form.id) || body.find(',') != body.npos) return {};
+  const std::string_view word = body.substr(0, head);  // blanks belong to the number behind it
+  CutSentence cut{{std::string(word.substr(0, word.find_last_not_of(' ') + 1)), {}, 0}, {}};
+  if (!is_id(cut.form.id)) return {};
   for (std::string_view rest = body.substr(head); !rest.empty();) {
     const std::size_t size = leading_number(rest);
     if (size == 0 || cut.fields.size() == most_columns) return {};

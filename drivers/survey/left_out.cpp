@@ -4,11 +4,16 @@
 
 namespace drydock::survey {
 
+std::string in_comment(std::string_view line) {
+  std::string text(line);
+  for (char& c : text)
+    if (c < 0x20 || c > 0x7E) c = '.';
+  return text;
+}
+
 void LeftOut::add(std::string_view line, std::size_t times) {
   constexpr std::size_t shown = 60;
-  std::string text(line.substr(0, shown));
-  for (char& c : text)
-    if (c < 0x20 || c > 0x7E) c = '.';  // a comment is UTF-8 in one line
+  const std::string text = in_comment(line.substr(0, shown));
   Kind& kind = kinds_[text.substr(0, text.find_first_of(" ,"))];
   if (kind.times == 0) kind.example = text;
   kind.times += times;

@@ -7,6 +7,9 @@
 
 namespace drydock::survey {
 
+/// A line as a comment of a description shows it, which is UTF-8 in one line.
+std::string in_comment(std::string_view line);
+
 /// Lines of a capture that are no message of the description: one example for each beginning.
 class LeftOut {
  public:

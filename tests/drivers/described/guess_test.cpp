@@ -146,6 +146,16 @@ TEST(GuessedDescription, LettersBetweenTheNumbersOfASentenceEndItsFields) {
   EXPECT_THAT(problems_of(guess), IsEmpty()) << guess;
 }
 
+/// The checksum is the XOR of all bytes before the '*'.
+TEST(GuessedDescription, ASentenceNeedNotBeginWithADollar) {
+  const auto guess = survey::guess_description(
+      wire::testing::as_bytes("PRS 12.000,8.00*56\r\nPRS 12.176,8.06*50\r\nPRS -1.5,9.00*4D\r\n"));
+  EXPECT_THAT(guess, HasSubstr("head = \"PRS\""));
+  EXPECT_THAT(guess, HasSubstr("checksum = \"xor\"\nchecksum_from = 0"));
+  EXPECT_THAT(guess, HasSubstr("{ name = \"column_1\", ends = \",\" },  # -1.5 to 12.176"));
+  EXPECT_THAT(problems_of(guess), IsEmpty()) << guess;
+}
+
 /// Two ids in two forms each, an id that is none, more columns than a description has, an
 /// empty column, letters that are not of ASCII.
 TEST(GuessedDescription, IsADescriptionWhateverTheSentencesAre) {
@@ -174,6 +184,80 @@ TEST(GuessedDescription, ALineMayHavePowersOfTenAndManyDecimals) {
   EXPECT_THAT(guess, HasSubstr("# 1.25e-08 to 1.25"));
   EXPECT_THAT(guess, HasSubstr("# 1 times: 12.5 ."));
   EXPECT_THAT(problems_of(guess), IsEmpty()) << guess;
+}
+
+/// Degree signs in Latin-1 and in UTF-8, and a head that ends with one.
+TEST(GuessedDescription, ADegreeSignMakesNoBinaryProtocolOfALine) {
+  for (const std::string sign : {"\xB0", "\xC2\xB0"}) {
+    std::string all = "stray\n";
+    for (int i = 0; i < 20; ++i)
+      all += fmt::format("H{0} {1:5.1f}{0} T {2:+.2f}{0}C\r\n", sign, 7.5 * i, i - 9.25);
+    const auto guess = survey::guess_description(wire::testing::as_bytes(all));
+    EXPECT_THAT(guess, HasSubstr("[[protocol.lines]]             # 20 times"));
+    EXPECT_THAT(guess, HasSubstr("column_2\", decimals = 2 },  # -9.25 to 9.75"));
+    const auto toy = described(
+        measured(guess, "name = \"column_2\"", "field = \"temperature_k\", unit = \"degC\""));
+    wire::described::Record record;
+    const auto line =
+        wire::testing::as_bytes("H" + sign + " 359.9" + sign + " T -1.75" + sign + "C\r\n");
+    ASSERT_EQ(wire::described::decode(toy->plan, line, record), wire::described::Decoded::message);
+    EXPECT_DOUBLE_EQ(value_of(record, "temperature_k"), 271.4);
+  }
+}
+
+/// As "%6.1f" and "%7.2f" write them.
+TEST(GuessedDescription, NumbersThatAreFilledUpWithBlanksAreOneMessage) {
+  std::string all = "stray\n";
+  for (int i = 0; i < 30; ++i)
+    all += fmt::format("A={:6.1f} B {:7.2f} m\n", 40.0 * i - 90, 9.5 * i);
+  const auto guess = survey::guess_description(wire::testing::as_bytes(all));
+  EXPECT_THAT(guess, HasSubstr("[[protocol.lines]]             # 30 times"));
+  EXPECT_THAT(guess, Not(HasSubstr("Not described")));
+  EXPECT_THAT(guess, HasSubstr("head = \"A=\""));
+  const auto toy =
+      described(measured(guess, "name = \"column_2\"", "field = \"depth_m\", unit = \"m\""));
+  for (const auto& [text, depth_m] :
+       {std::pair{"A=  -0.5 B   12.25 m\n", 12.25}, std::pair{"A=1234.5 B 1000.00 m\n", 1000.0}}) {
+    wire::described::Record record;
+    ASSERT_EQ(wire::described::decode(toy->plan, wire::testing::as_bytes(text), record),
+              wire::described::Decoded::message);
+    EXPECT_DOUBLE_EQ(value_of(record, "depth_m"), depth_m);
+  }
+}
+
+/// What the guess of these lines finds in the second column of another line.
+double second_column(const std::string& lines, const std::string& line) {
+  const auto guess = survey::guess_description(wire::testing::as_bytes("stray\n" + lines));
+  EXPECT_THAT(guess, Not(HasSubstr("Not described"))) << guess;
+  const auto toy =
+      described(measured(guess, "name = \"column_2\"", "field = \"depth_m\", unit = \"m\""));
+  wire::described::Record record;
+  const auto bytes = wire::testing::as_bytes(line);
+  EXPECT_EQ(wire::described::decode(toy->plan, bytes, record), wire::described::Decoded::message)
+      << guess;
+  return value_of(record, "depth_m");
+}
+
+TEST(GuessedDescription, ASignBehindALetterBelongsToTheNumber) {
+  std::string lines;
+  for (int i = 0; i < 20; ++i) lines += fmt::format("D{:+07.2f} M{:+06.1f}\n", i - 9.75, 4.5 - i);
+  EXPECT_DOUBLE_EQ(second_column(lines, "D-000.25 M-006.1\n"), -6.1);
+}
+
+TEST(GuessedDescription, AWordAtTheEndOfALineMayDiffer) {
+  std::string lines;
+  for (int i = 0; i < 20; ++i)
+    lines += fmt::format("T={:.1f};{:.2f},{}\n", i + 0.5, 2.0 * i, i % 7 == 0 ? "ERR" : "OK");
+  EXPECT_DOUBLE_EQ(second_column(lines, "T=1.5;-2.25,ERR\n"), -2.25);
+}
+
+TEST(GuessedDescription, WhatStandsInThePlaceOfANumberIsNone) {
+  std::string lines;
+  for (int i = 0; i < 20; ++i)
+    lines += fmt::format("P {} T {}\n", i % 5 == 0 ? "----.-" : fmt::format("{:6.1f}", 990.0 + i),
+                         i % 4 == 0 ? "NaN" : fmt::format("{:.2f}", 0.5 * i));
+  EXPECT_DOUBLE_EQ(second_column(lines, "P ----.- T 3.25\n"), 3.25);
+  EXPECT_DOUBLE_EQ(second_column(lines, "P 1003.0 T 7.5\n"), 7.5);
 }
 
 TEST(GuessedDescription, SentencesNeedNoChecksum) {

@@ -1,0 +1,82 @@
+#include "drivers/survey/line_cut.hpp"
+
+#include <algorithm>
+
+namespace drydock::survey {
+namespace {
+
+/// Characters of "e-05" behind the digits of a number; 0: there is no exponent.
+std::size_t exponent_at(std::string_view text) {
+  if (text.size() < 3 || (text[0] != 'e' && text[0] != 'E')) return 0;
+  if (text[1] != '-' && text[1] != '+') return 0;  // "12E" is 12 and a letter
+  std::size_t i = 2;
+  while (i < text.size() && is_digit(text[i])) ++i;
+  return i > 2 ? i : 0;
+}
+
+/// A sign belongs to the number where nothing that a minus could join stands before: "D-0.5" and
+/// "D-5" have a letter and a number, "COM-1" is a name.
+bool is_sign(std::string_view line, std::size_t at) {
+  if (line[at] != '-' && line[at] != '+') return false;
+  if (at == 0 || (!is_digit(line[at - 1]) && !is_letter(line[at - 1]))) return true;
+  if (is_digit(line[at - 1])) return false;
+  const std::size_t behind = line.find_first_not_of("0123456789", at + 1);
+  const bool has_point = behind != line.npos && line[behind] == '.';
+  const bool letter_alone = at < 2 || (!is_letter(line[at - 2]) && !is_digit(line[at - 2]));
+  return has_point || letter_alone;
+}
+
+/// Characters of the number that begins here; 0: none does.
+std::size_t number_at(std::string_view line, std::size_t at) {
+  const char before = at == 0 ? ' ' : line[at - 1];
+  const bool has_sign = is_sign(line, at);
+  const std::size_t digits = at + (has_sign ? 1 : 0);
+  std::size_t i = digits;
+  while (i < line.size() && is_digit(line[i])) ++i;
+  if (i == digits) return 0;
+  const bool has_point = i + 1 < line.size() && line[i] == '.' && is_digit(line[i + 1]);
+  // "T1" is a name, "D0012.3" and "D0012" are a letter and a number.
+  constexpr std::size_t longest_name = 2;
+  if (is_letter(before) && !has_sign && !has_point && i - digits <= longest_name) return 0;
+  if (has_point) ++i;
+  while (has_point && i < line.size() && is_digit(line[i])) ++i;
+  return i + exponent_at(line.substr(i)) - at;
+}
+
+/// Characters of what stands for a number that is not there: "NaN", "----.-", "***"; 0: none does.
+std::size_t gap_at(std::string_view line, std::size_t at) {
+  constexpr std::string_view separators = " ,;:=|\t";
+  if (at > 0 && separators.find(line[at - 1]) == separators.npos) return 0;
+  const std::string_view word = line.substr(at, line.find_first_of(separators, at) - at);
+  if (word == "NaN" || word == "nan" || word == "NAN") return word.size();
+  const bool is_run = word.size() >= 2 && (word[0] == '-' || word[0] == '*' || word[0] == '?') &&
+                      word[1] != '.' &&
+                      std::ranges::all_of(word, [&](char c) { return c == word[0] || c == '.'; });
+  return is_run ? word.size() : 0;
+}
+
+}  // namespace
+
+LineCut cut_at_numbers(std::string_view line) {
+  LineCut cut;
+  for (std::size_t i = 0; i < line.size();) {
+    std::size_t size = cut.numbers.size() < most_groups ? number_at(line, i) : 0;
+    if (size == 0 && cut.numbers.size() < most_groups) size = gap_at(line, i);
+    if (size == 0) {
+      // The digits of a name are not looked at one by one.
+      do cut.texts.back() += line[i++];
+      while (i < line.size() && is_digit(line[i]) && is_digit(line[i - 1]));
+      continue;
+    }
+    std::string& before = cut.texts.back();
+    const std::size_t text = before.find_last_not_of(' ') + 1;
+    cut.blanks.push_back(before.size() - text);
+    before.resize(text);
+    cut.numbers.push_back(line.substr(i, size));
+    cut.texts.emplace_back();
+    i += size;
+  }
+  return cut;
+}
+
+}  // namespace drydock::survey
