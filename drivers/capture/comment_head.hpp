@@ -9,19 +9,21 @@ namespace drydock::capture {
 
 /// Removes the comments from the head of a byte capture; gpsd's test logs have them. A comment is a
 /// line that begins with '#' and a blank, or that is '#' alone. Any other line is data, as
-/// `#BESTPOSA,...` of a device is, and so is all behind it. Feed the blocks of the capture in
-/// order.
+/// `#BESTPOSA,...` of a device is, and so is all behind it. Numbers behind the '#' are data too
+/// (`# 12.3456, 3.4`, as sensors of Sea-Bird answer). Feed the blocks of the capture in order.
 class CommentHead {
  public:
-  /// The part of the block behind the comments. A '#' that ends a block comes with the next one.
+  /// The part of the block behind the comments. The begin of a line that may be either comes with
+  /// the next block.
   wire::Bytes without(wire::Bytes block);
   std::size_t size() const { return size_; }  ///< bytes of the comments so far
 
  private:
-  enum class At : std::uint8_t { line_start, hash, comment, data };
+  enum class At : std::uint8_t { line_start, comment, data };
   At at_ = At::line_start;
   std::size_t size_ = 0;
-  std::vector<std::uint8_t> joined_;  ///< the '#' of the block before, and a block
+  std::vector<std::uint8_t> held_;    ///< the begin of a line that may be either
+  std::vector<std::uint8_t> joined_;  ///< what was held, and a block
 };
 
 }  // namespace drydock::capture

@@ -116,6 +116,18 @@ TEST(CommentHeadOfAByteCapture, IsDroppedInAnySplitAndNothingElse) {
   }
 }
 
+TEST(CommentHeadOfAByteCapture, EndsAtNumbersThatADeviceSendsBehindAHash) {
+  for (const std::string data :
+       {"#  12.3456, 3.40012\n# text\n", "# -0.5 +1.25 7\r\n", "#\t12;3\n"}) {
+    const std::string file = "# 120 seconds long\n# - 7 sentences\n# 2014-11-20\n# ...\n" + data;
+    for (std::size_t piece = 1; piece <= file.size(); ++piece) {
+      std::size_t head_size = 0;
+      EXPECT_EQ(without_head(file, piece, head_size), as_bytes(data)) << piece;
+      EXPECT_EQ(head_size, file.size() - data.size()) << piece;
+    }
+  }
+}
+
 TEST(CommentHeadOfAByteCapture, EndsAtALineThatADeviceBeginsWithAHash) {
   const std::string data = "#BESTPOSA,COM1\r\n# data\n";
   const std::string file = "#\n#\r\n# Date: 2014\n" + data;
