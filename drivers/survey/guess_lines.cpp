@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <vector>
 
@@ -158,8 +157,10 @@ std::string usual_end(const Form& form) {
 
 std::string end_pattern(const Form& form) {
   constexpr std::size_t few = 8;
-  if (form.ends.size() <= few) return any_of({}, form.ends | std::views::keys);
-  return regex_of(form.ends.begin()->first.substr(0, 1)) + "[A-Za-z]+";
+  std::vector<std::string> ends;
+  for (const auto& [end, lines] : form.ends) ends.push_back(end);
+  if (ends.size() <= few) return any_of({}, ends);
+  return regex_of(ends.front().substr(0, 1)) + "[A-Za-z]+";
 }
 
 /// Nothing if the pattern is too long for a description.

@@ -58,7 +58,7 @@ std::optional<measurement::ImuSample> J1939ImuPair::take() {
     origin.valid_at -= origin.received_at - latest;
   }
   origin.received_at = std::max(origin.received_at, force_at);
-  const auto sample = make_imu_sample(origin, rate_->components, force_->components, mounting_);
+  auto sample = make_imu_sample(origin, rate_->components, force_->components, mounting_);
   rate_.reset();
   force_.reset();
   return sample;
