@@ -19,7 +19,7 @@ class LogReadings {
     const auto ideal = sensor::ideal_log(trajectory, at, mounting);
     const Eigen::Vector3d measured =
         errors_.apply({*ideal.longitudinal_mps, *ideal.transverse_mps, 0}, at);
-    const Eigen::Vector2d shown = scale_ * measured.head<2>();
+    Eigen::Vector2d shown = scale_ * measured.head<2>();
     distance_m_ += std::abs(shown.x()) / rate_hz;
     return shown;
   }
