@@ -44,9 +44,9 @@ bool LineFile::begin() {
 
 /// Looks at the whole file: if one line alone says something, it is that one.
 void LineFile::choose() {
-  LineFile all(file_, false, "*");
-  while (all.next()) continue;
-  const auto lines = all.lines();
+  LineFile whole(file_, false, "*");
+  while (whole.next()) continue;
+  const auto lines = whole.lines();
   const auto speaks = [](const auto& line) { return line.bytes > 0; };
   if (std::ranges::count_if(lines, speaks) == 1)
     interface_ = std::ranges::find_if(lines, speaks)->name;
