@@ -1,13 +1,10 @@
 #include "tests/drivers/bus/bus_fixture.hpp"
 
-#include <unistd.h>
+#include "tests/own_domain.hpp"
 
 namespace drydock::bus::test {
 
-std::uint32_t test_domain() {
-  // The ports of domains 10 to 99 are below the ephemeral range.
-  return 10 + static_cast<std::uint32_t>(::getpid()) % 90;
-}
+std::uint32_t test_domain() { return drydock::test::own_domain(); }
 
 std::vector<Measurement> take(Subscriber& subscriber, std::size_t count) {
   constexpr int wait_ms = std::chrono::milliseconds(patience).count();

@@ -24,11 +24,19 @@ void say(const std::string& line) {
   std::fflush(stdout);
 }
 
-/// Publishes samples whose x is their number, one each millisecond, as a fast IMU does.
+/// Publishes samples whose x is their number, one each millisecond, as a fast IMU does. It says
+/// when it sees all readers and begins with SIGUSR1: they see its writers later than it sees them.
 void publish_numbered(std::uint32_t domain, int count) {
+  sigset_t begin;
+  ::sigemptyset(&begin);
+  ::sigaddset(&begin, SIGUSR1);
+  ::pthread_sigmask(SIG_BLOCK, &begin, nullptr);
   const Participant participant(domain);
   Publisher publisher(participant, all_devices(Provenance::replayed));
   if (!eventually([&] { return publisher.matched_readers() == 8; })) return;
+  say("matched");
+  int received = 0;
+  ::sigwait(&begin, &received);
   for (int i = 0; i < count; ++i) {
     auto sample = only_origin<measurement::ImuSample>(Index::imu);
     sample.origin.provenance = Provenance::replayed;
@@ -40,10 +48,13 @@ void publish_numbered(std::uint32_t domain, int count) {
   ::pause();
 }
 
+/// Says when it is there, then when it sees all writers: they see its readers earlier.
 void subscribe(std::uint32_t domain) {
   const Participant participant(domain);
   Subscriber subscriber(participant, all_devices());
   say("subscribed");
+  if (!eventually([&] { return subscriber.matched_writers() == 8; })) return;
+  say("matched");
   std::size_t taken = 0;
   for (double last = -1; last < end_of_numbers;) {
     for (const auto& measurement : take(subscriber, 1)) {

@@ -61,6 +61,7 @@ TEST(BusReaders, StoppedProcessDoesNotSlowTheWriterAndTheCountersCoverWhatItLost
   const Participant participant(test_domain());
   Publisher publisher(participant, all_devices());
   ASSERT_TRUE(eventually([&] { return publisher.matched_readers() == 8; }));
+  ASSERT_EQ(child.read_line(), "matched");
   child.signal(SIGSTOP);
   EXPECT_LT(median_write(publisher, 2000), microseconds(1000));
   const auto counters = counters_of(publisher, "rt/imu/data");
@@ -82,6 +83,7 @@ TEST(BusReaders, HealthyReaderBesideAStoppedOneGetsEverySampleInOrder) {
   Publisher publisher(participant, all_devices());
   Subscriber healthy(participant, all_devices());
   ASSERT_TRUE(eventually([&] { return publisher.matched_readers() == 16; }));
+  ASSERT_EQ(child.read_line(), "matched");
   child.signal(SIGSTOP);
   median_write(publisher, 1500);
   const auto taken = take(healthy, 1500);
@@ -107,6 +109,9 @@ TEST(BusReaders, AnotherProcessGetsEverySampleInOrder) {
   const Participant participant(test_domain());
   Subscriber subscriber(participant, all_devices());
   const ChildProcess child({"--child", "publish", child_domain(), "1000"});
+  ASSERT_EQ(child.read_line(), "matched");
+  ASSERT_TRUE(eventually([&] { return subscriber.matched_writers() == 8; }));
+  child.signal(SIGUSR1);
   const auto taken = take(subscriber, 1000);
   ASSERT_EQ(taken.size(), 1000u);
   for (std::size_t i = 0; i < taken.size(); ++i) {

@@ -14,14 +14,13 @@
 #include "drivers/bus/writer.hpp"
 #include "drivers/process/child.hpp"
 #include "tests/hil/outside/outside_rig.hpp"
+#include "tests/own_domain.hpp"
 
 namespace clock_test {
 
 using namespace drydock;
 using outside_rig::Folder;
 using testing::HasSubstr;
-
-std::uint32_t own_domain() { return 30 + static_cast<std::uint32_t>(::getpid()) % 60; }
 
 struct Run {
   summary::Summary summary;
@@ -35,7 +34,7 @@ Run in_step(const std::string& more = {}) {
   const Folder folder;
   std::string text = outside_rig::one_imu;
   text.insert(text.find("name = \"outside\"\n"),
-              "dds_domain = " + std::to_string(own_domain()) + "\n");
+              "dds_domain = " + std::to_string(test::own_domain()) + "\n");
   std::ofstream(folder / "rig.toml")
       << text << "[[estimator]]\nname = \"mine\"\nkind = \"external\"\nimu = \"imu\"\n"
       << "gives = \"attitude\"\ntopic = \"/my/attitude\"\nmessage = \"imu\"\n"
@@ -74,7 +73,7 @@ class QuickAcknowledgement {
 Run with_the_client() {
   const QuickAcknowledgement quick;
   process::Child client({"env", "CYCLONEDDS_URI=" + quick.text(), DRYDOCK_CLOCK_ESTIMATOR,
-                         "rt/imu/data", "rt/my/attitude", std::to_string(own_domain())},
+                         "rt/imu/data", "rt/my/attitude", std::to_string(test::own_domain())},
                         "");
   return in_step();
 }
@@ -114,7 +113,7 @@ class Node {
 
  private:
   void live(const Act& act) {
-    const bus::Participant participant(own_domain(), "lo");
+    const bus::Participant participant(test::own_domain(), "lo");
     Writer writer(participant, "rt/my/attitude", "base_link");
     bus::Doorbell bell;
     bus::Reader<bus::ClockMessage> clock(participant, "rt/clock", bell);

@@ -6,12 +6,11 @@
 #include "drivers/bus/configuration.hpp"
 #include "drivers/bus/publisher.hpp"
 #include "drivers/process/child.hpp"
+#include "tests/own_domain.hpp"
 
 namespace dds_client_test {
 
 using namespace drydock;
-
-constexpr std::uint32_t domain_base = 120;
 
 /// Samples at rest until `listener` has printed a line.
 std::string first_line(const bus::Participant& participant, process::Child& listener) {
@@ -29,7 +28,7 @@ std::string first_line(const bus::Participant& participant, process::Child& list
 }
 
 TEST(DdsConfig, AnotherCycloneProgramHearsTheBusWithIt) {
-  const std::uint32_t domain = domain_base + static_cast<std::uint32_t>(::getpid()) % 60;
+  const std::uint32_t domain = test::own_domain();
   const bus::Participant participant(domain, "lo");
   process::Child listener({"env", "CYCLONEDDS_URI=" + bus::cyclone_configuration("lo"),
                            DRYDOCK_IMU_LISTENER, "rt/imu/data", "1", std::to_string(domain)},

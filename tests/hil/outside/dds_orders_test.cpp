@@ -10,6 +10,7 @@
 #include "drivers/bus/order_reader.hpp"
 #include "drivers/process/child.hpp"
 #include "ros2_messages.h"
+#include "tests/own_domain.hpp"
 
 namespace dds_orders_test {
 
@@ -17,11 +18,9 @@ using namespace drydock;
 using measurement::BodyWrench;
 using measurement::JointOrder;
 
-std::uint32_t domain() { return 30 + static_cast<std::uint32_t>(::getpid()) % 60; }
-
 /// What a reader hears until `done`, for 20 s at most.
 struct Ears {
-  bus::Participant participant{domain(), "lo"};
+  bus::Participant participant{test::own_domain(), "lo"};
   bus::OrderReader reader{participant};
   std::vector<std::vector<JointOrder>> joints;
   std::vector<BodyWrench> wrenches;
@@ -40,7 +39,7 @@ TEST(DdsOrders, APlainCycloneProgramOrdersAJoint) {
   Ears ears;
   process::Child program(
       {"env", "CYCLONEDDS_URI=" + bus::cyclone_configuration("lo"), DRYDOCK_JOINT_ORDERS,
-       "rear-port", "effort", "12.5", "20", std::to_string(domain())},
+       "rear-port", "effort", "12.5", "20", std::to_string(test::own_domain())},
       "");
   ears.listen([&] { return ears.joints.size() >= 3; });
   ASSERT_GE(ears.joints.size(), 3u);

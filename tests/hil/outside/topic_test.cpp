@@ -13,6 +13,7 @@
 #include "estimators/frame/attitude.hpp"
 #include "hil/summary/truth_of_rig.hpp"
 #include "tests/hil/outside/outside_rig.hpp"
+#include "tests/own_domain.hpp"
 
 namespace topic_test {
 
@@ -24,15 +25,13 @@ using outside_rig::one_imu;
 constexpr double degree = std::numbers::pi / 180;
 const frame::Position origin{60 * degree, 5 * degree, 0};
 
-std::uint32_t own_domain() { return 30 + static_cast<std::uint32_t>(::getpid()) % 60; }
-
 external::TopicOptions options(bus::OutsideType type, external::Gives gives) {
   return {.estimator = "mine",
           .topic = "/my/estimate",
           .type = type,
           .gives = gives,
           .origin = origin,
-          .domain = own_domain(),
+          .domain = test::own_domain(),
           .interface = "lo",
           .say = {}};
 }
@@ -41,7 +40,7 @@ external::TopicOptions options(bus::OutsideType type, external::Gives gives) {
 template <class Message, class Set>
 std::vector<pipeline::OutsideEstimate> heard(external::TopicPeer& peer, const char* frame,
                                              Set set) {
-  const bus::Participant participant(own_domain(), "lo");
+  const bus::Participant participant(test::own_domain(), "lo");
   bus::Writer<Message> writer(participant, "rt/my/estimate", frame);
   set(writer.message());
   for (int i = 0; i < 5000 && writer.matched() == 0; ++i) ::poll(nullptr, 0, 1);
@@ -164,7 +163,7 @@ summary::Summary in_real_time(const std::string& more) {
   const Folder folder;
   std::string text = one_imu + more;
   text.insert(text.find("name = \"outside\"\n"),
-              "truth = true\ndds_domain = " + std::to_string(own_domain()) + "\n");
+              "truth = true\ndds_domain = " + std::to_string(test::own_domain()) + "\n");
   std::ofstream(folder / "rig.toml") << text;
   bench::RunOptions options;
   options.duration_s = 3;

@@ -84,7 +84,7 @@ TEST_F(InfoOfARun, AndTopicEchoesTheMessagesOfADevice) {
 
 TEST(Topic, OfARunningRigComesFromTheBus) {
   const auto said =
-      drydock(std::string(program::emulated_demo) +
+      drydock(program::emulated_demo +
               "drive rig_config/rigs/demo.toml --for 10s >/dev/null & sleep 2; " DRYDOCK_PROGRAM
               " topic rig_config/rigs/demo.toml imu --count 5; "
               "true");

@@ -173,7 +173,7 @@ TEST(Mistakes, ACaptureHasAReportToo) {
 }
 
 TEST(Mistakes, ASilentNodeIsExplainedByTheDiagnosisToo) {
-  const auto told = drydock(std::string(program::emulated_demo) + "diagnose demo --for 3s");
+  const auto told = drydock(program::emulated_demo + "diagnose demo --for 3s");
   EXPECT_THAT(told.output, HasSubstr("imu: no measurement came in"));
   EXPECT_THAT(told.output, HasSubstr("node 1 is pre-operational: nobody started it"));
   EXPECT_THAT(told.output, Not(HasSubstr("nothing found in")));

@@ -11,6 +11,8 @@
 #include <iterator>
 #include <string>
 
+#include "tests/own_domain.hpp"
+
 /// Runs the program as a person or a script does.
 namespace program {
 
@@ -43,7 +45,7 @@ inline Outcome drydock(const std::string& arguments, const std::string& environm
   const Folder links;  // its own ptys, so that another run on this machine does not matter
   const std::string command =
       "cd " DRYDOCK_SOURCE_DIR "; export XDG_RUNTIME_DIR=" + (links / "").string() +
-      " ROS_DOMAIN_ID=" + std::to_string(100 + getpid() % 100) + "; " + environment +
+      " ROS_DOMAIN_ID=" + std::to_string(drydock::test::own_domain()) + "; " + environment +
       " " DRYDOCK_PROGRAM " " + arguments + " 2>&1";
   std::FILE* pipe = popen(command.c_str(), "r");
   Outcome outcome;
@@ -61,8 +63,16 @@ inline std::string read_file(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Begins a command line: emulates the demo rig's sensors and starts the program beside them.
-inline constexpr auto emulated_demo =
-    "emulate rig_config/rigs/demo.toml --for 12s > /dev/null & sleep 1; " DRYDOCK_PROGRAM " ";
+/// A part of a command line: it waits for the pty of the program that began before.
+inline std::string until_linked(const std::string& pty) {
+  return "for tenth in $(seq 600); do test -e $XDG_RUNTIME_DIR/drydock-*/" + pty +
+         " && break; sleep 0.1; done; ";
+}
+
+/// Begins a command line: emulates the demo rig's sensors, to the end of the line, and starts the
+/// program beside them.
+inline const std::string emulated_demo =
+    "emulate rig_config/rigs/demo.toml > /dev/null & emulator=$!; trap 'kill $emulator' EXIT; " +
+    until_linked("gnss") + DRYDOCK_PROGRAM " ";
 
 }  // namespace program

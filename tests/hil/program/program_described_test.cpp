@@ -78,10 +78,11 @@ TEST(Program, AProxyDropsMessagesOfADescribedSensor) {
   std::ofstream(folder / "f.toml")
       << "[[fault]]\ndevice = \"vat\"\nfault = \"drop\"\nprobability = 0.5\n";
   const auto run = drydock(
-      "emulate " + (folder / "rig.toml").string() +
-      " --for 3s > /dev/null & " DRYDOCK_PROGRAM
+      "emulate " + (folder / "rig.toml").string() + " > /dev/null & " +
+      program::until_linked("real") +
+      DRYDOCK_PROGRAM
       " proxy 'pty:real?baud=38400' pty:vat --protocol valeport-vat.toml --device vat --faults " +
-      (folder / "f.toml").string() + " --for 2s 2>/dev/null; wait");
+      (folder / "f.toml").string() + " --for 3s 2>/dev/null; kill $!; wait");
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("drop: "));
 }

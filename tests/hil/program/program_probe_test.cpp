@@ -18,7 +18,7 @@ using testing::Not;
 
 TEST(Program, AProbeFindsAnEmulatedSensorAndItsBlockIsAGoodRig) {
   const Folder folder;
-  const auto outcome = drydock(std::string(emulated_demo) + "probe pty:dvl --for 8s --json; wait");
+  const auto outcome = drydock(emulated_demo + "probe pty:dvl --for 8s --json");
   const auto found = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(found["confidence"], "certain");
   EXPECT_EQ(found["attempts"][0]["findings"][0]["protocol"], "pd0");
@@ -31,8 +31,7 @@ TEST(Program, AProbeFindsAnEmulatedSensorAndItsBlockIsAGoodRig) {
 }
 
 TEST(Program, AProbeOfAnEmulatedBusFindsDepthAndActuators) {
-  const auto outcome =
-      drydock(std::string(emulated_demo) + "probe 'can:auto?name=drydock0' --for 4s --json; wait");
+  const auto outcome = drydock(emulated_demo + "probe 'can:auto?name=drydock0' --for 4s --json");
   const auto found = nlohmann::json::parse(outcome.output);
   std::string kinds;
   for (const auto& device : found["devices"])

@@ -19,10 +19,10 @@ TEST(Program, DriveAndEstimateAsTwoProcessesDoWhatRunDoesInOne) {
   const Folder folder;
   const std::string rig = "rig_config/rigs/demo.toml";
   const std::string log = (folder / "estimates.jsonl").string();
-  const auto outcome = drydock(
-      "emulate " + rig + " --for 10s > /dev/null & sleep 1; " DRYDOCK_PROGRAM " drive " + rig +
-      " --for 7s > " + (folder / "drive.txt").string() + " & " DRYDOCK_PROGRAM " estimate " + rig +
-      " --for 6s --json > " + log + "; r=$?; wait; exit $r");
+  const auto outcome =
+      drydock(emulated_demo + "drive " + rig + " --for 7s > " + (folder / "drive.txt").string() +
+              " & drive=$!; " DRYDOCK_PROGRAM " estimate " + rig + " --for 6s --json > " + log +
+              "; r=$?; wait $drive; exit $r");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output << read_file(folder / "drive.txt");
   const auto text = read_file(log);
   // 100 Hz for the seconds in which all three run, minus discovery and the filter's start.
@@ -54,9 +54,7 @@ TEST(Program, EitherProcessKilledAndStartedAgainStreamsFromAllDevices) {
 }
 
 TEST(Program, AMonitorOnlyListensSoANodeThatNobodyStartsStaysSilent) {
-  const auto outcome =
-      drydock(std::string(emulated_demo) +
-              "monitor rig_config/rigs/demo.toml --once --for 4s; r=$?; wait; exit $r");
+  const auto outcome = drydock(emulated_demo + "monitor rig_config/rigs/demo.toml --once --for 4s");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.output;
   EXPECT_THAT(outcome.output, HasSubstr("imu        waiting"));
   EXPECT_THAT(outcome.output, HasSubstr("dvl        streaming"));
@@ -69,11 +67,11 @@ TEST(Program, AMonitorOnlyListensSoANodeThatNobodyStartsStaysSilent) {
 }
 
 TEST(Program, AMonitorReadsTheBusWhileAnotherProcessHasThePorts) {
-  const auto outcome = drydock(std::string(emulated_demo) +
+  const auto outcome = drydock(emulated_demo +
                                "drive rig_config/rigs/demo.toml --for 9s > /dev/null & "
-                               "sleep 2; " DRYDOCK_PROGRAM
+                               "drive=$!; sleep 2; " DRYDOCK_PROGRAM
                                " monitor rig_config/rigs/demo.toml --bus --once --json --for 6s; "
-                               "r=$?; wait; exit $r");
+                               "r=$?; wait $drive; exit $r");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 6);
   EXPECT_THAT(outcome.output, HasSubstr("\"name\":\"velocity\""));

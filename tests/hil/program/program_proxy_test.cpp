@@ -49,10 +49,11 @@ TEST(Program, AProxyPassesAnEmulatedDeviceOnAndSumsUp) {
   std::ofstream(folder / "f.toml")
       << "[[fault]]\ndevice = \"log\"\nfault = \"drop\"\nprobability = 0.5\n";
   const auto run =
-      drydock("emulate " + (folder / "rig.toml").string() +
-              " --for 3s > /dev/null & " DRYDOCK_PROGRAM
+      drydock("emulate " + (folder / "rig.toml").string() + " > /dev/null & " +
+              program::until_linked("real") +
+              DRYDOCK_PROGRAM
               " proxy 'pty:real?baud=38400' pty:log --protocol nmea0183 --device log --faults " +
-              (folder / "f.toml").string() + " --for 2s --json 2>/dev/null; wait");
+              (folder / "f.toml").string() + " --for 3s --json 2>/dev/null; kill $!; wait");
   EXPECT_EQ(run.exit_code, 0) << run.output;
   const auto summary = nlohmann::json::parse(run.output);
   EXPECT_GT(summary["from_device"], 500);

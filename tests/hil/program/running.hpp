@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tests/hil/program/program.hpp"
+#include "tests/own_domain.hpp"
 
 namespace program {
 
@@ -24,7 +25,7 @@ class Running {
   Running(const Folder& folder, const std::string& arguments, const std::string& name)
       : output_(folder / name) {
     const std::string links = "XDG_RUNTIME_DIR=" + (folder / "").string(),
-                      domain = "ROS_DOMAIN_ID=" + std::to_string(100 + getpid() % 100);
+                      domain = "ROS_DOMAIN_ID=" + std::to_string(drydock::test::own_domain());
     std::array environment{const_cast<char*>(links.c_str()), const_cast<char*>(domain.c_str()),
                            static_cast<char*>(nullptr)};
     std::istringstream typed(DRYDOCK_PROGRAM " " + arguments);

@@ -21,6 +21,8 @@
 #include <thread>
 #include <vector>
 
+#include "tests/own_domain.hpp"
+
 namespace sockets_test {
 
 /// The demo rig in real time with its live page. It runs until the end of the test.
@@ -30,7 +32,7 @@ class RunningDemo {
     auto name = (std::filesystem::temp_directory_path() / "drydock-test-XXXXXX").string();
     links_ = mkdtemp(name.data());
     const std::string links = "XDG_RUNTIME_DIR=" + links_.string(),
-                      domain = "ROS_DOMAIN_ID=" + std::to_string(100 + getpid() % 100);
+                      domain = "ROS_DOMAIN_ID=" + std::to_string(drydock::test::own_domain());
     std::array environment{const_cast<char*>(links.c_str()), const_cast<char*>(domain.c_str()),
                            static_cast<char*>(nullptr)};
     std::vector<std::string> words{
