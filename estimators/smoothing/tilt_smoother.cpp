@@ -143,6 +143,8 @@ std::vector<Tilt> smooth_tilts(std::vector<Tilt> tilts) {
   for (const Axis& axis : axes) {
     std::vector<TiltStep> steps;
     std::vector<Vector3d> states;
+    steps.reserve(tilts.size());
+    states.reserve(tilts.size());
     filter_tilts(tilts, axis, most_likely_motion(tilts, axis),
                  [&](const TiltStep& step, const Vector3d& state) {
                    steps.push_back(step);
