@@ -1,6 +1,7 @@
 #include "estimators/calibration/gauss_newton.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 
 namespace drydock::calibration {
 namespace {
@@ -10,6 +11,7 @@ using Eigen::VectorXd;
 
 constexpr int most_iterations = 12, most_halvings = 5;
 constexpr double small_step = 0.01;  ///< of the bounds
+constexpr double flattest = 0.1;     ///< the least rise that is believed
 
 /// Derivatives of the whitened residuals at fixed sigma, and of ln sigma.
 struct Slopes {
@@ -45,6 +47,21 @@ VectorXd gradient(const Slopes& slopes, const Normals& n, const VectorXd& x) {
   return slopes.residual.transpose() * white + slopes.log_sigma.transpose() * excess + x;
 }
 
+/// Of the slopes to both sides, for each number those of the smoother side: where a latency is such
+/// that two sensors' readings change their order, residuals of one are suddenly those of the other,
+/// and a step across that place finds slopes that are no information.
+Slopes smoother_of(Slopes slopes, const Slopes& other) {
+  for (Eigen::Index i = 0; i < slopes.residual.cols(); ++i) {
+    const auto size = [i](const Slopes& s) {
+      return s.residual.col(i).squaredNorm() + 2 * s.log_sigma.col(i).squaredNorm();
+    };
+    if (size(slopes) <= size(other)) continue;
+    slopes.residual.col(i) = other.residual.col(i);
+    slopes.log_sigma.col(i) = other.log_sigma.col(i);
+  }
+  return slopes;
+}
+
 /// The inverse of Fisher's information: each residual e has that of its mean, and of its sigma
 /// 2 (d ln sigma)2.
 MatrixXd covariance_of(const Slopes& slopes) {
@@ -53,6 +70,24 @@ MatrixXd covariance_of(const Slopes& slopes) {
   const MatrixXd information = slopes.residual.transpose() * slopes.residual +
                                2 * slopes.log_sigma.transpose() * slopes.log_sigma + unit;
   return information.llt().solve(unit);
+}
+
+/// How much wider the bound of each number is than that of a likelihood with constant curvature: by
+/// how much -2 ln rises one sigma beside the maximum, on the ridge along which the other numbers
+/// follow. 1 is the rise of a parabola.
+VectorXd widening(const Problem& problem, const VectorXd& x, double cost,
+                  const MatrixXd& covariance) {
+  VectorXd factors(x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const VectorXd ridge = covariance.col(i) / std::sqrt(covariance(i, i));
+    double rise = 0;
+    for (const double side : {-1.0, 1.0}) {
+      const VectorXd beside = x + side * ridge;
+      rise += (Problem::cost(problem.at(beside), beside) - cost) / 2;
+    }
+    factors(i) = 1 / std::sqrt(std::clamp(rise, flattest, 1.0));
+  }
+  return factors;
 }
 
 }  // namespace
@@ -81,6 +116,10 @@ Maximum most_likely(const ResidualsAt& residuals, const VectorXd& prior_sigma,
     x += change;
     here = next;
   }
+  covariance =
+      covariance_of(smoother_of(problem.slopes(x, here, step), problem.slopes(x, here, -step)));
+  const VectorXd wider = widening(problem, x, Problem::cost(here, x), covariance);
+  covariance = wider.asDiagonal() * covariance * wider.asDiagonal();
   result.value = prior_sigma.cwiseProduct(x);
   result.covariance = prior_sigma.asDiagonal() * covariance * prior_sigma.asDiagonal();
   return result;

@@ -15,7 +15,8 @@ using ResidualsAt = std::function<Normals(const Eigen::VectorXd&)>;
 
 struct Maximum {
   Eigen::VectorXd value;
-  Eigen::MatrixXd covariance;  ///< inverse of Fisher's information, with the prior
+  /// Inverse of Fisher's information, with the prior; wider where the likelihood falls less.
+  Eigen::MatrixXd covariance;
   int iterations = 0;
   bool converged = false;  ///< the last step was below a hundredth of the bounds
 };

@@ -64,5 +64,29 @@ TEST(GaussNewton, WhatNoResidualTouchesKeepsItsPrior) {
   EXPECT_NEAR(found.covariance(1, 1), 49, 1e-9);
 }
 
+/// tanh(10 x) is steep at its most likely value 0 and flat beside it: -2 ln rises by less than 1 at
+/// the sigma of the steepest slope, so the bound is wider than that.
+TEST(GaussNewton, ALikelihoodThatGrowsFlatterBesideItsMaximumHasAWiderBound) {
+  const auto found = most_likely(
+      [](const VectorXd& x) { return white(VectorXd::Constant(1, std::tanh(10 * x(0)))); },
+      VectorXd::Constant(1, 1), VectorXd::Zero(1));
+  const double at_maximum = 1 / std::sqrt(101.);
+  const double rise = std::pow(std::tanh(10 * at_maximum), 2) + std::pow(at_maximum, 2);
+  EXPECT_NEAR(std::sqrt(found.covariance(0, 0)), at_maximum / std::sqrt(rise), 1e-5);
+}
+
+/// A residual leaps by 5 just beside the most likely value: that is no slope.
+TEST(GaussNewton, ALeapBesideTheMaximumIsNoInformation) {
+  for (const double side : {-1.0, 1.0}) {
+    const auto found = most_likely(
+        [&](const VectorXd& x) {
+          return white(Vector2d{3 * x(0), side * x(0) > 5e-4 ? 5.0 : 0.0});
+        },
+        VectorXd::Constant(1, 1), VectorXd::Zero(1));
+    EXPECT_LT(std::abs(found.value(0)), 1e-3);
+    EXPECT_GE(std::sqrt(found.covariance(0, 0)), 0.99 / std::sqrt(10.));
+  }
+}
+
 }  // namespace
 }  // namespace drydock::calibration
