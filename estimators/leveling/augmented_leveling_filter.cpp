@@ -108,6 +108,7 @@ void AugmentedLevelingFilter::predict(const Vector3d& specific_force, const Vect
   const Vector3d earth_rate =
       frame::ned_to_body({roll(), pitch(), heading_}) * earth_rate_.ned();  // eq. (16)
 
+  const double opened = earth_rate_.drift(options_.gyro_bias_sigma_radps, dt);
   turn_ = rate.z();
   const Transition transition(system_matrix(rate - earth_rate, rate + earth_rate, gravity_), dt);
   heading_ = carried_heading(heading_, alpha, rate - earth_rate, dt);
@@ -127,7 +128,8 @@ void AugmentedLevelingFilter::predict(const Vector3d& specific_force, const Vect
   p_.diagonal().head<3>().array() += squared(options_.velocity_noise) * dt;
   p_.diagonal().segment<3>(alpha_at).array() += squared(options_.alpha_noise) * dt;
   // Eq. (A9): this part of the bias is fixed to the Earth, so it rotates in the body.
-  p_.diagonal().segment<3>(gyro_at).array() += earth_rate_.variance() * std::abs(turn_) * dt;
+  p_.diagonal().segment<3>(gyro_at).array() +=
+      opened + earth_rate_.variance() * std::abs(turn_) * dt;
 }
 
 void AugmentedLevelingFilter::update_moving(double speed_mps, bool trusted) {
@@ -139,6 +141,17 @@ void AugmentedLevelingFilter::update_moving(double speed_mps, bool trusted) {
   innovation_.log = {residual, std::sqrt(expected), used};
   if (used) update(residual, row, variance);
   update_norm();
+}
+
+navigation::Innovation AugmentedLevelingFilter::update_velocity(int axis, double speed_mps,
+                                                                double sigma_mps, bool used) {
+  begin_update();
+  const double residual = speed_mps - x_(axis), variance = squared(sigma_mps);
+  const navigation::Innovation innovation{residual, std::sqrt(p_(axis, axis) + variance), used};
+  if (!used) return innovation;
+  update(residual, State::Unit(axis), variance);
+  update_norm();
+  return innovation;
 }
 
 void AugmentedLevelingFilter::update_stationary() {

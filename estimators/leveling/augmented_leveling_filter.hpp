@@ -50,6 +50,11 @@ class AugmentedLevelingFilter {
 
   /// The log may have changed by this standard deviation.
   void loosen_log(double speed_sigma_mps);
+
+  /// A DVL: velocity over ground along a body axis, 0 to 2, and |alpha|^2 = 1. `used` = false: only
+  /// compared. Gives the innovation.
+  navigation::Innovation update_velocity(int axis, double speed_mps, double sigma_mps, bool used);
+
   void update_stationary();             ///< eq. (32): V = 0, without the log, and |alpha|^2 = 1
   void update_nonholonomic(double dt);  ///< as in LevelingFilter
 

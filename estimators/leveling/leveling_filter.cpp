@@ -74,6 +74,8 @@ void LevelingFilter::predict(const Vector3d& specific_force, const Vector3d& ang
   const Vector3d rate_nb = angular_rate - earth_rate;        // eq. (17)
   const Vector3d rate_coriolis = angular_rate + earth_rate;  // eq. (15)
 
+  alpha_variance_ +=
+      std::pow(noise_over_rate, 2) * earth_rate_.drift(options_.gyro_bias_sigma_radps, dt);
   turn_ = angular_rate.z();
   const Transition transition(system_matrix(rate_nb, rate_coriolis, gravity_), dt);
   heading_ = carried_heading(heading_, x_.tail<3>(), rate_nb, dt);
