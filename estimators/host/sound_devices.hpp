@@ -7,8 +7,8 @@
 namespace drydock::host {
 
 /// Estimators use sound devices only: while a finding says that a device's values mislead, they are
-/// left out. An IMU stays in, because without it there is no estimate, and the estimators have
-/// their own doubts of it (docs/estimators/integrity.md).
+/// left out. An IMU stays in, because without it there is no estimate, but the estimates are not
+/// valid (docs/estimators/integrity.md).
 class SoundDevices final : public Follower {
  public:
   /// Rig and pipeline must outlive it.
@@ -17,7 +17,8 @@ class SoundDevices final : public Follower {
 
   void on_finding(const diagnosis::Finding& finding) override {
     if (!diagnosis::facts_of(finding.cause).misleads) return;
-    if (rig_.devices.at(finding.device).kind == measurement::Kind::imu) return;
+    if (rig_.devices.at(finding.device).kind == measurement::Kind::imu)
+      return pipeline_.doubt(finding.device, !finding.until);
     pipeline_.leave_out(finding.device, !finding.until, finding.until.value_or(finding.found));
   }
 

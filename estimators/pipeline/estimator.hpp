@@ -84,6 +84,9 @@ class Estimator {
   virtual Outcome take(const measurement::GnssSatellites&, EstimateListener&) {
     return Outcome::unused;
   }
+  /// A finding says that the values of a device in use mislead, or no more: the estimator may go on
+  /// with them, but its estimates are not valid.
+  virtual void doubt(std::uint16_t /*device*/, bool /*doubted*/) {}
   /// All measurements older than `now` have come.
   virtual void advance(measurement::Stamp /*now*/, EstimateListener&) {}
   /// The run ends.

@@ -16,6 +16,11 @@ double bias_variance_of(const LevelingOptions& options) {
   return std::pow(options.filter.accelerometer_bias_sigma_mps2 / units::standard_gravity, 2);
 }
 
+std::optional<GroundWitness> witness_of(const LevelingOptions& options) {
+  if (!options.ground) return {};
+  return GroundWitness(*options.ground, options.filter);
+}
+
 }  // namespace
 
 std::string fault_of(const LevelingOptions& options) {
@@ -31,7 +36,8 @@ std::unique_ptr<Estimator> make_estimator(Seat seat, const LevelingOptions& opti
 
 LevelingEstimator::LevelingEstimator(Seat seat, const LevelingOptions& options,
                                      const PipelineOptions& pipeline)
-    : ImuDrivenEstimator(seat, options.stationary ? std::nullopt : options.log, pipeline),
+    : ImuDrivenEstimator(seat, options.stationary ? std::nullopt : options.log, witness_of(options),
+                         pipeline),
       stationary_(options.stationary),
       bias_variance_(bias_variance_of(options)),
       filter_(leveling::make_filter(options.kind, options.filter)) {}

@@ -1,14 +1,16 @@
 #pragma once
 
 #include "estimators/leveling/leveling_filter.hpp"
+#include "estimators/pipeline/aiding_sensor.hpp"
 #include "estimators/pipeline/maker.hpp"
 
 namespace drydock::pipeline {
 
 /// A leveling filter on one IMU and one speed log.
 struct LevelingOptions {
-  std::optional<std::uint16_t> log;  ///< device index; needed unless stationary
-  bool stationary = false;           ///< all velocities are zero; the log is not used
+  std::optional<std::uint16_t> log;    ///< device index; needed unless stationary
+  std::optional<AidingSensor> ground;  ///< a DVL that watches the IMU, lever from the IMU
+  bool stationary = false;             ///< all velocities are zero; the log is not used
   leveling::FilterKind kind = leveling::FilterKind::robust;
   leveling::LevelingOptions filter;
 };

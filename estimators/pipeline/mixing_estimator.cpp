@@ -6,6 +6,16 @@
 
 namespace drydock::pipeline {
 
+namespace {
+
+std::optional<GroundWitness> witness_of(const MixingOptions& options) {
+  if (!options.ground) return {};
+  return GroundWitness(*options.ground, {.latitude_rad = options.filter.latitude_rad,
+                                         .heading_rad = options.filter.heading_rad});
+}
+
+}  // namespace
+
 std::string fault_of(const MixingOptions& options) {
   if (!options.log) return "mixing needs a speed log, allowed: log = a device";
   return fault_of_devices({options.log});
@@ -18,7 +28,7 @@ std::unique_ptr<Estimator> make_estimator(Seat seat, const MixingOptions& option
 
 MixingEstimator::MixingEstimator(Seat seat, const MixingOptions& options,
                                  const PipelineOptions& pipeline)
-    : ImuDrivenEstimator(seat, options.log, pipeline),
+    : ImuDrivenEstimator(seat, options.log, witness_of(options), pipeline),
       filter_(options.filter),
       accuracy_(options.sensors) {}
 

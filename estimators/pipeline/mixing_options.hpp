@@ -2,13 +2,15 @@
 
 #include "estimators/mixing/mixing_accuracy.hpp"
 #include "estimators/mixing/mixing_filter.hpp"
+#include "estimators/pipeline/aiding_sensor.hpp"
 #include "estimators/pipeline/maker.hpp"
 
 namespace drydock::pipeline {
 
 /// The mixing filter on one IMU and one speed log.
 struct MixingOptions {
-  std::optional<std::uint16_t> log;  ///< device index; needed
+  std::optional<std::uint16_t> log;    ///< device index; needed
+  std::optional<AidingSensor> ground;  ///< a DVL that watches the IMU, lever from the IMU
   mixing::MixingOptions filter;
   mixing::SensorAccuracy sensors;
 };

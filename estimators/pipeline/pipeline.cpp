@@ -88,6 +88,10 @@ void Pipeline::leave_out(std::uint16_t device, bool left_out, Stamp from) {
   if (left_out_[device].now != left_out) left_out_[device] = {left_out, from};
 }
 
+void Pipeline::doubt(std::uint16_t device, bool doubted) {
+  for (const auto& estimator : estimators_) estimator->doubt(device, doubted);
+}
+
 bool Pipeline::left_out(std::uint16_t device) const {
   return device < left_out_.size() && left_out_[device].now;
 }

@@ -42,6 +42,10 @@ class Pipeline {
   void leave_out(std::uint16_t device, bool left_out, measurement::Stamp from);
   bool left_out(std::uint16_t device) const;
 
+  /// True: estimates that need the device are not valid, until false takes it back. For a device
+  /// that a finding names and without which there is no estimate.
+  void doubt(std::uint16_t device, bool doubted);
+
   /// Runs all waiting measurements and lets the estimators finish, for the end of a run.
   void flush();
 

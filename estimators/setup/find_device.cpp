@@ -15,4 +15,15 @@ std::optional<std::uint16_t> index_of(const rig_config::Rig& rig, const std::str
   return static_cast<std::uint16_t>(found - rig.devices.begin());
 }
 
+std::optional<pipeline::AidingSensor> witness_of(const EstimatorInRig& place) {
+  const auto& devices = place.rig.devices;
+  const auto dvl =
+      std::ranges::find(devices, measurement::Kind::dvl, &rig_config::DeviceConfig::kind);
+  const auto* imu = find_device(place.rig, place.estimator.imu);
+  if (dvl == devices.end() || !imu) return {};
+  return pipeline::AidingSensor{
+      static_cast<std::uint16_t>(dvl - devices.begin()),
+      Eigen::Vector3d{dvl->lever_arm_m.data()} - Eigen::Vector3d{imu->lever_arm_m.data()}};
+}
+
 }  // namespace drydock::setup

@@ -18,6 +18,7 @@ pipeline::LevelingOptions options_of(const rig_config::LevelingConfig& config,
                                      const EstimatorInRig& place) {
   pipeline::LevelingOptions options;
   options.log = index_of(place.rig, config.log);
+  options.ground = witness_of(place);
   options.stationary = config.stationary;
   options.kind = filter_kind(config.filter);
   options.filter = leveling::options_for(options.kind);

@@ -10,6 +10,7 @@ pipeline::MixingOptions options_of(const rig_config::MixingConfig& config,
   constexpr std::array types{compensated, fixed_gain, fuzzy_inference, gain_schedule};
   pipeline::MixingOptions options;
   options.log = index_of(place.rig, config.log);
+  options.ground = witness_of(place);
   options.filter.type = types.at(static_cast<std::size_t>(config.type));
   options.filter.latitude_rad = config.start.latitude_rad;
   options.filter.heading_rad = config.start.heading_rad;

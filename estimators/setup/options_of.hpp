@@ -29,6 +29,10 @@ pipeline::ExternalOptions options_of(const rig_config::ExternalConfig&, const Es
 
 const rig_config::DeviceConfig* find_device(const rig_config::Rig& rig, const std::string& name);
 
+/// The first DVL of the rig, which watches the IMU of the estimator; its lever is from that IMU.
+/// Empty: the rig has none.
+std::optional<pipeline::AidingSensor> witness_of(const EstimatorInRig& place);
+
 /// Device index; empty if the name is empty.
 std::optional<std::uint16_t> index_of(const rig_config::Rig& rig, const std::string& name);
 

@@ -33,10 +33,12 @@ std::uint32_t bit(std::uint16_t device) { return std::uint32_t{1} << device; }
 }  // namespace
 
 ImuDrivenEstimator::ImuDrivenEstimator(Seat seat, std::optional<std::uint16_t> log,
+                                       std::optional<GroundWitness> witness,
                                        const PipelineOptions& pipeline)
     : index_(seat.index),
       imu_(seat.imu),
       log_(log),
+      witness_(std::move(witness)),
       max_imu_gap_(pipeline.max_imu_gap),
       max_speed_age_(pipeline.max_speed_age),
       gate_(pipeline.vehicle),
@@ -53,6 +55,7 @@ Outcome ImuDrivenEstimator::take(const ImuSample& sample, EstimateListener& list
     stop();
   }
   far_behind_ = 0;
+  if (imu_doubted_) imu_trust_.judge(true, sample.origin.valid_at);
   const auto verdict = gate_.judge(sample);
   if (verdict == ImuGate::Verdict::wild) {
     ++status_.wild;
@@ -88,10 +91,13 @@ void ImuDrivenEstimator::follow(const ImuStep& step) {
   if (step.thawed || motion_.contradicted(now, again_within)) return start_over({});
   rate_step_ += step.rate;
   force_step_ += step.force;
-  if (running()) loosen_biases(step.rate_sigma, step.force_sigma);
+  if (!running()) return;
+  loosen_biases(step.rate_sigma, step.force_sigma);
+  if (witness_) witness_->loosen_biases(step.rate_sigma, step.force_sigma);
 }
 
 void ImuDrivenEstimator::judge(Stamp now) {
+  witness_trust_.judge(witness_ && witness_->contradicts(), now);
   motion_.judge(contradicted(), now);
   if (motion_.doubted(now) < diverged_after) return;
   ++status_.divergences;
@@ -129,6 +135,18 @@ Outcome ImuDrivenEstimator::take(const WaterSpeed& speed, EstimateListener& list
     ++status_.rejected;
   }
   status_.last_speed = speed.origin.valid_at;
+  return behind > behind.zero() ? Outcome::delayed : Outcome::accepted;
+}
+
+Outcome ImuDrivenEstimator::take(const measurement::BottomVelocity& track, EstimateListener&) {
+  if (!witness_ || track.origin.device != witness_->device() || !track.velocity || !running())
+    return Outcome::unused;
+  // This comparison is false for NaN too.
+  if (!(track.velocity->norm() <= max_speed_mps)) return Outcome::refused;
+  const auto behind = last_->origin.valid_at - track.origin.valid_at;
+  if (behind > max_speed_age_) return Outcome::late;
+  if (behind < -max_speed_age_) return Outcome::unused;  // the IMU is silent
+  witness_->compare(*track.velocity);
   return behind > behind.zero() ? Outcome::delayed : Outcome::accepted;
 }
 
@@ -176,10 +194,12 @@ bool ImuDrivenEstimator::try_start(const ImuSample& sample) {
     // Negative after a clock was set back. Then the IMU was not silent.
     const double silent_s = measurement::seconds(sample.origin.valid_at - *stopped_at_);
     start_again(sample, speed_mps, std::max(silent_s, 0.0));
+    if (witness_) witness_->start(sample, 0, 0);
   } else {
     start(sample, speed_mps);
     loosen_biases(doubt_.rate_radps, doubt_.force_mps2);
     believe_log(doubt_.speed_mps);
+    if (witness_) witness_->start(sample, doubt_.rate_radps, doubt_.force_mps2);
   }
   interval_s_ = 0;
   status_.state = EstimatorState::running;
@@ -192,10 +212,16 @@ void ImuDrivenEstimator::go_on(const ImuSample& sample) {
   // A sample is valid at an instant. The mean of two samples is right for the interval between them
   // to the second order.
   const double dt = measurement::seconds(sample.origin.valid_at - last_->origin.valid_at);
-  if (interval_s_ > 0 && dt > 1.5 * interval_s_) bridge(BridgedGap(dt));
+  if (interval_s_ > 0 && dt > 1.5 * interval_s_) {
+    const BridgedGap gap(dt);
+    bridge(gap);
+    if (witness_) witness_->loosen(gap.velocity_sigma_mps, gap.angle_sigma_rad);
+  }
   interval_s_ = dt;
-  step(0.5 * (last_->specific_force + sample.specific_force),
-       0.5 * (last_->angular_rate + sample.angular_rate), dt);
+  const Eigen::Vector3d force = 0.5 * (last_->specific_force + sample.specific_force);
+  const Eigen::Vector3d rate = 0.5 * (last_->angular_rate + sample.angular_rate);
+  step(force, rate, dt);
+  if (witness_) witness_->step(force, rate, dt);
 }
 
 Integrity ImuDrivenEstimator::integrity_of(const AttitudeEstimate& estimate) const {
@@ -205,7 +231,7 @@ Integrity ImuDrivenEstimator::integrity_of(const AttitudeEstimate& estimate) con
   // This comparison is false for NaN too.
   integrity.valid = integrity.roll_bound_rad <= alert_.attitude_rad &&
                     integrity.pitch_bound_rad <= alert_.attitude_rad;
-  for (const Trust* trust : {&motion_, &log_trust_, &imu_trust_})
+  for (const Trust* trust : {&motion_, &log_trust_, &imu_trust_, &witness_trust_})
     integrity.valid &= trust->settled(estimate.valid_at);
   return integrity;
 }

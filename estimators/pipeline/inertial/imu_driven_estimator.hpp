@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "estimators/pipeline/estimator.hpp"
+#include "estimators/pipeline/ground_witness.hpp"
 #include "estimators/pipeline/imu_gate.hpp"
 #include "estimators/pipeline/inertial/bridged_gap.hpp"
 #include "estimators/pipeline/options.hpp"
@@ -24,7 +25,11 @@ class ImuDrivenEstimator : public Estimator {
   using Estimator::take;
   Outcome take(const measurement::ImuSample& sample, EstimateListener& listener) final;
   Outcome take(const measurement::WaterSpeed& speed, EstimateListener& listener) final;
+  Outcome take(const measurement::BottomVelocity& track, EstimateListener& listener) final;
   const EstimatorStatus& status() const final { return status_; }
+  void doubt(std::uint16_t device, bool doubted) final {
+    if (device == imu_) imu_doubted_ = doubted;
+  }
 
  protected:
   struct Correction {
@@ -32,9 +37,10 @@ class ImuDrivenEstimator : public Estimator {
     std::optional<navigation::Innovation> innovation;  ///< if the estimator has one
   };
 
-  /// `log`: device index; empty: not used, the vehicle is stationary. From `pipeline` it uses only
-  /// the limits.
-  ImuDrivenEstimator(Seat seat, std::optional<std::uint16_t> log, const PipelineOptions& pipeline);
+  /// `log`: device index; empty: not used, the vehicle is stationary. `witness`: empty: nothing
+  /// watches the IMU. From `pipeline` it uses only the limits.
+  ImuDrivenEstimator(Seat seat, std::optional<std::uint16_t> log,
+                     std::optional<GroundWitness> witness, const PipelineOptions& pipeline);
 
  private:
   /// Starts at a sample. The speed is 0 if no log is used.
@@ -91,10 +97,12 @@ class ImuDrivenEstimator : public Estimator {
 
   std::uint16_t index_, imu_;
   std::optional<std::uint16_t> log_;  ///< empty: not used, the vehicle is stationary
+  std::optional<GroundWitness> witness_;
   std::chrono::nanoseconds max_imu_gap_, max_speed_age_;
   ImuGate gate_;
   AlertLimits alert_;
-  Trust motion_, log_trust_, imu_trust_;
+  Trust motion_, log_trust_, imu_trust_, witness_trust_;
+  bool imu_doubted_ = false;  ///< by a finding
   int diverged_in_a_row_ = 0;
   std::optional<Stamp> diverged_at_;
   Doubt doubt_;                                           ///< for the next start

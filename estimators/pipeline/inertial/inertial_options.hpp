@@ -6,6 +6,7 @@
 
 #include "estimators/hydrodynamics/vehicle.hpp"
 #include "estimators/navigation/aided_navigation.hpp"
+#include "estimators/pipeline/aiding_sensor.hpp"
 #include "estimators/pipeline/maker.hpp"
 
 namespace drydock::pipeline {
@@ -13,13 +14,6 @@ namespace drydock::pipeline {
 /// The aiding of the inertial navigation: sensors alone, or with a model of the vehicle, either all
 /// in one filter (`coupled`) or as in the paper (`paper`).
 enum class InertialMethod : std::uint8_t { sensors, coupled, paper };
-
-/// An aiding sensor: its device index, and its position in the body frame from the origin of the
-/// vehicle, m.
-struct AidingSensor {
-  std::uint16_t device = 0;
-  Eigen::Vector3d lever = Eigen::Vector3d::Zero();
-};
 
 /// An inertial navigation with its aiding sensors. All sigmas are one standard deviation.
 struct InertialOptions {

@@ -91,6 +91,7 @@ Outcome NavigationEstimator::take(const ImuSample& sample, EstimateListener& lis
 }
 
 bool NavigationEstimator::passes_gate(const ImuSample& sample) {
+  if (imu_doubted_) imu_trust_.judge(true, sample.origin.valid_at);
   const auto verdict = gate_.judge(sample);
   if (verdict == ImuGate::Verdict::wild) {
     ++status_.wild;

@@ -34,6 +34,9 @@ class NavigationEstimator final : public Estimator {
   Outcome take(const measurement::ActuatorState& state, EstimateListener& listener) override;
   Outcome take(const measurement::AttitudeSample& compass, EstimateListener& listener) override;
   const EstimatorStatus& status() const override { return status_; }
+  void doubt(std::uint16_t device, bool doubted) override {
+    if (device == imu_) imu_doubted_ = doubted;
+  }
 
  private:
   /// A measurement that waits for the end of the step.
@@ -79,6 +82,7 @@ class NavigationEstimator final : public Estimator {
   Eigen::Vector3d force_step_ = Eigen::Vector3d::Zero();  ///< likewise
   InnovationWatch watch_;
   Trust aiding_, state_, imu_trust_;
+  bool imu_doubted_ = false;  ///< by a finding
   std::unique_ptr<AidedInertial> filter_;
   hydrodynamics::Control control_;
   std::optional<measurement::ImuSample> last_;
