@@ -100,9 +100,7 @@ void GroundWitness::compare(const Vector3d& measured) {
   if (inside) use(velocity, sigma);
 }
 
-void GroundWitness::forget() {
-  refused_ = believed_after;
-}
+void GroundWitness::forget() { refused_ = believed_after; }
 
 void GroundWitness::begin(const Vector3d& velocity) {
   for (Axis& axis : axes_) axis.clear();

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <system_error>
 
 #include "tests/own_domain.hpp"
 
@@ -31,7 +32,10 @@ class Folder {
     auto name = (std::filesystem::temp_directory_path() / "drydock-test-XXXXXX").string();
     path_ = mkdtemp(name.data());
   }
-  ~Folder() { std::filesystem::remove_all(path_); }
+  ~Folder() {
+    std::error_code ignored;  // a program that just ends removes its own names from it
+    std::filesystem::remove_all(path_, ignored);
+  }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
   std::filesystem::path operator/(const std::string& file) const { return path_ / file; }
@@ -63,16 +67,18 @@ inline std::string read_file(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A part of a command line: it waits for the pty of the program that began before.
-inline std::string until_linked(const std::string& pty) {
-  return "for tenth in $(seq 600); do test -e $XDG_RUNTIME_DIR/drydock-*/" + pty +
+/// A part of a command line: it waits until the program that began before has this name in the
+/// folder of its ptys.
+inline std::string until_linked(const std::string& name) {
+  return "for tenth in $(seq 600); do test -e $XDG_RUNTIME_DIR/drydock-*/" + name +
          " && break; sleep 0.1; done; ";
 }
 
 /// Begins a command line: emulates the demo rig's sensors, to the end of the line, and starts the
-/// program beside them.
+/// program beside them. The control socket is the last name that the emulator makes.
 inline const std::string emulated_demo =
-    "emulate rig_config/rigs/demo.toml > /dev/null & emulator=$!; trap 'kill $emulator' EXIT; " +
-    until_linked("gnss") + DRYDOCK_PROGRAM " ";
+    "emulate rig_config/rigs/demo.toml > /dev/null & emulator=$!; "
+    "trap 'kill $emulator; wait $emulator' EXIT; " +
+    until_linked("demo.control") + DRYDOCK_PROGRAM " ";
 
 }  // namespace program
