@@ -40,11 +40,11 @@ void StepTopicPeer::exchange(const pipeline::Step& step, Estimates& into) {
 
 /// Its reader of /clock is the last one that it opens, so then its other readers are there.
 void StepTopicPeer::meet() {
-  const auto until = process::elapsed() + to_greet;
+  const auto until = process::elapsed() + to_meet;
   while (reader_.matched_writers() == 0 || clock_.matched_readers() == 0) {
     if (process::elapsed() >= until)
       return give_up(fmt::format("nobody hears /clock and publishes {} within {} s", options_.topic,
-                                 to_greet.count()));
+                                 to_meet.count()));
     reader_.wait(look_again);
   }
   met_ = true;

@@ -49,8 +49,9 @@ class LiveServer : public testing::Test {
     again();
     nlohmann::json found;
     std::jthread client([&] {
-      found = drydock::test::run_node("tests/drivers/live/watch.cjs",
-                                      {url(), std::to_string(count), subprotocol});
+      found = drydock::test::run_node(
+          "tests/drivers/live/watch.cjs",
+          {url(), std::to_string(count), subprotocol, "/bench", "/depth/pressure"});
       asio::post(io_, [&] {
         stopped_ = true;
         server_.stop();

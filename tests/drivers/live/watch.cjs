@@ -1,11 +1,12 @@
-// Foxglove's own client connects to a server: node watch.cjs URL COUNT. It subscribes to every
-// channel and prints the content of COUNT messages.
+// Foxglove's own client connects to a server: node watch.cjs URL COUNT [SUBPROTOCOL [TOPIC ...]]. It
+// subscribes to every channel and prints the content of COUNT messages, or of more until each TOPIC
+// has said one.
 const { FoxgloveClient } = require('@foxglove/ws-protocol');
 const { parse } = require('@foxglove/rosmsg');
 const { MessageReader } = require('@foxglove/rosmsg2-serialization');
 const WebSocket = require('ws');
-const [url, count] = process.argv.slice(2);
-const subprotocol = process.argv[4] ?? FoxgloveClient.SUPPORTED_SUBPROTOCOL;
+const [url, count, asked, ...topics] = process.argv.slice(2);
+const subprotocol = asked || FoxgloveClient.SUPPORTED_SUBPROTOCOL;
 
 const client = new FoxgloveClient({ ws: new WebSocket(url, [subprotocol]) });
 const found = { subprotocol, channels: {}, messages: {}, statuses: [] };
@@ -29,6 +30,6 @@ client.on('message', ({ subscriptionId, timestamp, data }) => {
   const { topic, reader } = channelOf.get(subscriptionId);
   const value = reader ? reader.readMessage(data) : JSON.parse(Buffer.from(data.buffer, data.byteOffset, data.byteLength).toString());
   found.messages[topic] = { count: (found.messages[topic]?.count ?? 0) + 1, timestamp, value };
-  if (--left === 0) end();
+  if (--left <= 0 && topics.every((one) => one in found.messages)) end();
 });
-setTimeout(end, 10000);
+setTimeout(end, 30000);

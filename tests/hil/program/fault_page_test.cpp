@@ -89,8 +89,8 @@ TEST(FaultPage, OfDriversAsksTheProgramThatPlaysTheDevices) {
               HasSubstr("only a dvl hears the sea bed"));
   EXPECT_EQ(set["answers"][2]["response"]["faults"][0]["words"], "depth: hang");
   EXPECT_EQ(emulate.line_from(" s fault set: depth"), ": hang");
-  const auto shown =
-      drydock::test::run_node("tests/drivers/live/watch.cjs", {"ws" + url.substr(4), "150"});
+  const auto shown = drydock::test::run_node("tests/drivers/live/watch.cjs",
+                                             {"ws" + url.substr(4), "150", "", "/drydock/faults"});
   EXPECT_EQ(shown["messages"]["/drydock/faults"]["value"]["faults"][0]["fault"], "hang")
       << shown["messages"];
 }

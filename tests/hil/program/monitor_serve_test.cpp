@@ -40,7 +40,8 @@ class ServedMonitor {
     return {};
   }
   nlohmann::json watch(const std::string& address) const {
-    return drydock::test::run_node("tests/drivers/live/watch.cjs", {address, "400"});
+    return drydock::test::run_node("tests/drivers/live/watch.cjs",
+                                   {address, "20", "", "/dvl/bottom_track", "/diagnostics"});
   }
   int exit_code() {
     run_.join();
