@@ -17,6 +17,7 @@ std::string guess_description(wire::Bytes capture);
 // The ways.
 std::string guess_text(wire::Bytes capture);
 std::string guess_lines(const std::vector<std::string_view>& lines);  ///< without their line ends
+std::string guess_hex_lines(const std::vector<std::string_view>& lines);
 std::string guess_binary(wire::Bytes capture);
 
 }  // namespace drydock::survey

@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "drivers/survey/decimal_commas.hpp"
 #include "drivers/survey/guess.hpp"
 #include "drivers/survey/left_out.hpp"
 #include "drivers/survey/line_cut.hpp"
@@ -134,9 +135,10 @@ std::string text_before(const Form& form, std::size_t column) {
   return form.texts[column] + (form.columns[column].fewest_blanks > 0 ? " " : "");
 }
 
-std::string number_pattern(const Numbers& column, std::size_t i) {
+/// `point`: what is before a fraction.
+std::string number_pattern(const Numbers& column, std::size_t i, char point) {
   if (column.count == 0) return {};
-  return fmt::format("(?P<c{}>{}?[0-9.]+{})", i + 1, column.has_plus ? "[-+]" : "-",
+  return fmt::format("(?P<c{}>{}?[0-9{}]+{})", i + 1, column.has_plus ? "[-+]" : "-", point,
                      column.has_exponent ? "(?:[eE][-+][0-9]+)?" : "");
 }
 
@@ -164,7 +166,7 @@ std::string end_pattern(const Form& form) {
 }
 
 /// Nothing if the pattern is too long for a description.
-std::optional<std::string> form_text(const Form& form, std::size_t number) {
+std::optional<std::string> form_text(const Form& form, std::size_t number, char point) {
   const std::string begin = text_before(form, 0), end = usual_end(form);
   const std::string_view head = head_of(begin),
                          behind = std::string_view(begin).substr(head.size());
@@ -174,7 +176,7 @@ std::optional<std::string> form_text(const Form& form, std::size_t number) {
     const bool is_last = i + 1 == form.columns.size();
     const std::string next = is_last ? end : text_before(form, i + 1);
     if (column.most_blanks > 0) pattern += pattern.ends_with(' ') ? "+" : " *";
-    pattern += any_of(number_pattern(column, i), column.gaps);
+    pattern += any_of(number_pattern(column, i, point), column.gaps);
     pattern += is_last ? end_pattern(form) : regex_of(next);
     emulate += column.count > 0 ? fmt::format("{{c{}}}", i + 1) : *column.gaps.begin();
     emulate += next;
@@ -197,17 +199,18 @@ bool heads_meet(std::string_view a, std::string_view b) {
   return a.starts_with(b) || b.starts_with(a);
 }
 
-std::string forms_text(const Forms& forms, LeftOut& left_out) {
+std::string forms_text(const Forms& forms, LeftOut& left_out, char point) {
   std::vector<const Form*> often;
   for (const auto& form : forms) often.push_back(&form.second);
   std::ranges::stable_sort(often, std::ranges::greater{}, &Form::lines);
   std::string out = "\n[protocol]\n# lines without a checksum\n";
+  if (point == ',') out += "decimal = \",\"\n";
   std::vector<std::string> heads;
   for (const Form* form : often) {
     const bool seldom = !form->has_numbers() || form->lines < 2 || heads.size() == most_forms;
     const std::string head(seldom ? "" : head_of(text_before(*form, 0)));
     const bool meets = std::ranges::any_of(heads, [&](auto& h) { return heads_meet(h, head); });
-    const auto text = meets || seldom ? std::nullopt : form_text(*form, heads.size() + 1);
+    const auto text = meets || seldom ? std::nullopt : form_text(*form, heads.size() + 1, point);
     if (!text) {
       left_out.add(form->example, form->lines);
       continue;
@@ -225,15 +228,18 @@ std::string guess_lines(const std::vector<std::string_view>& lines) {
   if (lines.size() <= fewest_lines) return {};
   Forms forms;
   LeftOut left_out;
+  const bool commas = have_decimal_commas(lines);
   for (std::size_t i = 1; i < lines.size(); ++i) {  // the first may have lost its beginning
     if (!is_printable(lines[i])) {
       left_out.add(lines[i]);
       continue;
     }
-    const LineCut cut = cut_at_numbers(lines[i]);
+    const std::string line = commas ? with_points(lines[i]) : std::string(lines[i]);
+    const LineCut cut = cut_at_numbers(line);
     forms[key_of(cut)].add(lines[i], cut);
   }
-  return forms.size() * 2 > lines.size() ? std::string() : forms_text(forms, left_out);
+  return forms.size() * 2 > lines.size() ? std::string()
+                                         : forms_text(forms, left_out, commas ? ',' : '.');
 }
 
 }  // namespace drydock::survey

@@ -3,6 +3,7 @@
 
 #include "drivers/survey/guess.hpp"
 #include "drivers/survey/guess_sentences.hpp"
+#include "drivers/wire/described/checksums.hpp"
 #include "drivers/wire/hex.hpp"
 #include "drivers/wire/text_fields.hpp"
 
@@ -25,7 +26,7 @@ std::vector<std::string_view> lines_of(wire::Bytes capture) {
 LineSum line_checksum(const std::vector<std::string_view>& lines) {
   for (const std::string_view name :
        {"xor", "sum-8", "crc-8/smbus", "crc-8/maxim-dow", "crc-16/xmodem", "crc-16/ibm-3740",
-        "crc-16/modbus", "crc-16/kermit", "crc-32/iso-hdlc"}) {
+        "crc-16/modbus", "crc-16/kermit", "crc-32/iso-hdlc", "crc-32/novatel"}) {
     Checksum checksum;
     Checksum::find(name, checksum);
     for (const std::size_t from : {std::size_t{1}, std::size_t{0}}) {
@@ -53,7 +54,8 @@ std::string guess_text(wire::Bytes capture) {
       lines, [](std::string_view line) { return line[0] == '$' || line[0] == '!'; });
   const bool without = 2 * static_cast<std::size_t>(sentences) > lines.size();
   if (sum.checksum != "none" || without) return guess_sentences(lines, sum);
-  return guess_lines(lines);
+  const auto hex = guess_hex_lines(lines);
+  return hex.empty() ? guess_lines(lines) : hex;
 }
 
 }  // namespace drydock::survey

@@ -78,7 +78,7 @@ class FieldReader {
     if (context_.form == Form::binary && !read_binary_type(table_.find("type")->text, field_))
       add(*table_.find("type"),
           fmt::format("\"{}\" is no type, allowed: u8 u16 u24 u32 u48 u64, i8 to i64, f32, f64, "
-                      "bcd1 to bcd6",
+                      "bcd1 to bcd6, septet1 to septet8",
                       table_.find("type")->text));
     if (context_.form == Form::binary && constant) {
       if (field_.type != Type::unsigned_integer) add(*constant, "a constant has a type u8 to u64");
@@ -139,7 +139,10 @@ class FieldReader {
   void read_text_type(const Node* constant, const Node* skipped) {
     std::string type = "number";
     read(table_, "type", type);
-    field_.type = type == "hex" ? Type::hex : type == "text" ? Type::text : Type::number;
+    field_.type = type == "hex"          ? Type::hex
+                  : type == "hex_signed" ? Type::hex_signed
+                  : type == "text"       ? Type::text
+                                         : Type::number;
     if (skipped) field_.type = Type::ignored;
     if (constant) field_.type = Type::constant;
     read(table_, "text", field_.text);
@@ -163,7 +166,7 @@ class FieldReader {
     const Node* bits = table_.find("bits");
     if (!bits) return;
     const auto first = bits->items[0].integer, count = bits->items[1].integer;
-    if (field_.type == Type::real || field_.type == Type::bcd)
+    if (field_.type == Type::real || field_.type == Type::bcd || field_.type == Type::septet)
       add(*bits, "only an integer has bits");
     else if (count < 1)
       add(*bits, "expected the first bit and at least one bit");
@@ -224,6 +227,9 @@ class FieldReader {
       field_.decimals = static_cast<std::uint8_t>(decimals->integer);
     if (const Node* width = table_.find("width"))
       field_.width = static_cast<std::uint8_t>(width->integer);
+    if (const Node* sign = table_.find("sign")) field_.sign = sign->text[0];
+    if (field_.type == Type::hex_signed && (field_.width < 1 || field_.width > 16))
+      add(table_, "a field of type hex_signed has a 'width', its 1 to 16 digits");
     if (const Node* emulate = table_.find("emulate")) {
       field_.idle = emulate->number;
       if (field_.type == Type::text || field_.type == Type::ignored) field_.text = emulate->text;
@@ -255,6 +261,7 @@ bool read_binary_type(std::string_view name, Field& field) {
       return true;
     if ((size == 4 || size == 8) && is("f", 8 * size, Type::real)) return true;
     if (size <= 6 && is("bcd", size, Type::bcd)) return true;
+    if (is("septet", size, Type::septet)) return true;
   }
   return false;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "rig_config/device_description/checksum_reader.hpp"
 #include "rig_config/device_description/field_reader.hpp"
 #include "rig_config/device_description/field_relations.hpp"
 #include "rig_config/device_description/frame_messages.hpp"
@@ -81,11 +82,12 @@ class PlanReader {
     read(protocol_, "checksum_order", order);
     plan().checksum_big_endian = order == "big";
     read(protocol_, "checksum", sum);
-    if (!described::Checksum::find(sum, plan().checksum)) unknown_checksum();
+    read_checksum(protocol_, sum, plan().checksum, file_, problems_);
     plan().checksum_from = plan().form == Form::sentences ? 1 : 0;
     if (const Node* from = protocol_.find("checksum_from"))
       plan().checksum_from = static_cast<std::uint16_t>(from->integer);
     read(protocol_, "checksum_optional", plan().checksum_optional);
+    read_decimal();
     read_end();
     plan().longest = plan().form == Form::binary ? 1024 : 256;
     if (const Node* longest = protocol_.find("longest"))
@@ -93,6 +95,21 @@ class PlanReader {
     if (plan().form == Form::lines && plan().checksum.size() > 0)
       add(*protocol_.find("checksum"), "/protocol/checksum",
           "lines have none; with one behind a '*' they are sentences");
+  }
+
+  void read_decimal() {
+    const Node* decimal = protocol_.find("decimal");
+    if (!decimal) return;
+    plan().decimal_comma = decimal->text == ",";
+    if (plan().form != Form::sentences && plan().form != Form::lines)
+      add(*decimal, "/protocol/decimal", "only numbers of a text have it");
+  }
+
+  /// Fields in their order need another separator; a pattern has none.
+  void check_decimal(const Node& table, const std::string& path) {
+    if (plan().decimal_comma && separator() == ',' && !table.find("pattern"))
+      add(*protocol_.find("decimal"), path,
+          "the comma of the decimals is the separator too; allowed: separator = another character");
   }
 
   void read_end() {
@@ -107,23 +124,11 @@ class PlanReader {
       plan().end = *bytes;
   }
 
-  void unknown_checksum() {
-    const auto all = described::checksum_names();
-    std::vector<std::string> known(all.begin(), all.end());
-    for (const auto& crc : described::crc_aliases) known.emplace_back(crc.alias);
-    const std::vector<std::string> plain(described::plain_checksums.begin(),
-                                         described::plain_checksums.end());
-    const Node& word = *protocol_.find("checksum");
-    add(word, "/protocol/checksum",
-        fmt::format("\"{}\" is no checksum{}, allowed: {}, or a CRC of 8, 16, 24 or 32 bits by its "
-                    "name in the CRC catalogue, such as crc-16/modbus",
-                    word.text, did_you_mean(word.text, known), listed(plain)));
-  }
-
   void read_message(const Node& table, std::size_t i) {
     const std::string path = fmt::format("{}/{}", path_, i);
     Message message;
     read_head(table, path, message);
+    check_decimal(table, path);
     read(table, "name", message.name);
     check_name(table, path, message);
     message.first_field = static_cast<std::uint16_t>(plan().fields.size());

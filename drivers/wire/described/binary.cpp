@@ -71,10 +71,18 @@ std::optional<double> decimal_digits(Bytes digits, bool big_endian) {
   return value;
 }
 
+/// Seven bits of each byte, in the order of the bytes of `raw`.
+std::uint64_t packed_septets(std::uint64_t raw, std::size_t size) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < size; ++i) value |= (raw >> (8 * i) & 0x7F) << (7 * i);
+  return value;
+}
+
 std::optional<double> number_of(const Field& field, Bytes frame) {
   if (field.type == Type::bcd)
     return decimal_digits(frame.subspan(field.at, field.size), field.big_endian);
   const std::uint64_t raw = load(frame, field.at, field.size, field.big_endian);
+  if (field.type == Type::septet) return static_cast<double>(packed_septets(raw, field.size));
   if (field.type == Type::real && field.size == 4)
     return std::bit_cast<float>(static_cast<std::uint32_t>(raw));
   if (field.type == Type::real) return std::bit_cast<double>(raw);
@@ -152,6 +160,14 @@ std::uint64_t integer_of(const Field& field, double number) {
   return static_cast<std::uint64_t>(rounded);
 }
 
+std::uint64_t spread_septets(double number, std::size_t size) {
+  const double most = std::ldexp(1.0, static_cast<int>(7 * size)) - 1;  // at most 56 bits
+  const auto value = static_cast<std::uint64_t>(std::clamp(std::round(number), 0.0, most));
+  std::uint64_t spread = 0;
+  for (std::size_t i = 0; i < size; ++i) spread |= (value >> (7 * i) & 0x7F) << (8 * i);
+  return spread;
+}
+
 std::uint64_t packed_digits(double number, std::size_t size) {
   std::uint64_t packed = 0;
   double left = std::max(0.0, std::round(number));
@@ -170,6 +186,8 @@ void put(const Field& field, double number, std::span<std::uint8_t> out) {
     raw = std::bit_cast<std::uint64_t>(number);
   } else if (field.type == Type::bcd) {
     raw = packed_digits(number, field.size);
+  } else if (field.type == Type::septet) {
+    raw = spread_septets(number, field.size);
   } else {
     const std::uint64_t mask = mask_of(bits_of(field)) << field.first_bit;
     raw = load(out, field.at, field.size, field.big_endian) & ~mask;

@@ -27,6 +27,7 @@ std::vector<std::string_view> checksum_names();
 class Checksum {
  public:
   Checksum() = default;  ///< none: it has no bytes
+  explicit Checksum(const Crc& crc);
 
   /// False if no checksum has that name, in capitals or not. Other names of the catalogue count.
   static bool find(std::string_view name, Checksum& into);
@@ -52,7 +53,6 @@ class Checksum {
 
   Checksum(std::string_view name, Way way, unsigned width)
       : name_(name), way_(way), width_(width) {}
-  explicit Checksum(const Crc& crc);
 
   std::string_view name_{};
   Way way_ = Way::none;

@@ -89,6 +89,8 @@ inline constexpr auto crcs = std::to_array<Crc>({
     {"crc-32/jamcrc", 32, 0x04C11DB7, 0xFFFFFFFF, true, 0x00000000, 0x340BC6D9},
     {"crc-32/mef", 32, 0x741B8CD7, 0xFFFFFFFF, true, 0x00000000, 0xD2C22F51},
     {"crc-32/xfer", 32, 0x000000AF, 0x00000000, false, 0x00000000, 0xBD0BE338},
+    // Not of the catalogue: the receivers of NovAtel, whose manual gives the code.
+    {"crc-32/novatel", 32, 0x04C11DB7, 0x00000000, true, 0x00000000, 0x2DFD2D88},
 });
 
 /// Another name of the catalogue for one of them.

@@ -22,15 +22,17 @@ inline constexpr std::size_t longest_frame = 8192, most_fields = 32, most_messag
 enum class Form : std::uint8_t { sentences, binary, lines, frames };
 
 enum class Type : std::uint8_t {
-  number,    ///< decimal text
-  hex,       ///< hexadecimal text, with or without 0x
-  text,      ///< any text; only shown
-  constant,  ///< exactly `text`, in a binary message the integer `idle`
+  number,      ///< decimal text
+  hex,         ///< hexadecimal text, with or without 0x
+  hex_signed,  ///< the same in two's complement, of as many bits as its digits have
+  text,        ///< any text; only shown
+  constant,    ///< exactly `text`, in a binary message the integer `idle`
   ignored,
   unsigned_integer,
   signed_integer,
-  real,  ///< IEEE 754, 4 or 8 bytes
-  bcd    ///< two decimal digits a byte
+  real,   ///< IEEE 754, 4 or 8 bytes
+  bcd,    ///< two decimal digits a byte
+  septet  ///< seven bits a byte, the highest is 0
 };
 
 /// Which contents of a field say that the message's measurements are valid.
@@ -60,7 +62,8 @@ struct Field {
   std::optional<std::uint8_t> divisor;  ///< the field of this message by which it is divided
   std::optional<Validity> validity;
   std::uint8_t decimals = 3, width = 0;  ///< as an emulated device writes it
-  double idle = 0;                       ///< number that an emulated device sends without target
+  char sign = 0;    ///< and before a number that is not negative: '+', ' '; 0: nothing
+  double idle = 0;  ///< number that an emulated device sends without target
 };
 
 /// The length of a binary frame: fixed, or a field of it plus a constant.
@@ -95,6 +98,7 @@ struct Plan {
   Form form = Form::sentences;
   Checksum checksum;
   bool checksum_optional = false;    ///< sentences: a line without '*' counts too
+  bool decimal_comma = false;        ///< texts: 12,5 is twelve and a half
   bool checksum_big_endian = false;  ///< binary
   std::uint16_t checksum_from = 0;   ///< first byte that it covers
   std::string end;                   ///< binary: bytes behind the checksum, the last of a frame

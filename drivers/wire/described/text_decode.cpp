@@ -43,11 +43,13 @@ Cut cut(std::string_view text, char end) {
   return {text.substr(0, at), text.substr(at + 1), false};
 }
 
-std::optional<double> parse_hex_number(std::string_view text) {
+std::optional<double> parse_hex_number(std::string_view text, bool is_signed) {
   if (text.starts_with("0x") || text.starts_with("0X")) text.remove_prefix(2);
   std::uint64_t value = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
   if (error != std::errc{} || stop != text.data() + text.size()) return {};
+  const std::size_t unused = 64 - 4 * std::min<std::size_t>(text.size(), 16);
+  if (is_signed) return static_cast<double>(static_cast<std::int64_t>(value << unused) >> unused);
   return static_cast<double>(value);
 }
 
@@ -57,6 +59,20 @@ std::optional<double> number_in(std::string_view text) {
   const bool all = plain.end == text.data() + text.size();
   if (all && plain.is_exact() && plain.mantissa != 0) return plain.value();
   return parse_number(text);
+}
+
+/// A number whose fraction is behind a comma. One with a point is none.
+std::optional<double> number_with_comma(std::string_view text) {
+  std::array<char, 32> copy{};
+  if (text.size() > copy.size() || text.find('.') != text.npos) return {};
+  std::ranges::replace_copy(text, copy.begin(), ',', '.');
+  return number_in({copy.data(), text.size()});
+}
+
+std::optional<double> number_of(const Plan& plan, const Field& field, std::string_view text) {
+  if (field.type == Type::hex || field.type == Type::hex_signed)
+    return parse_hex_number(text, field.type == Type::hex_signed);
+  return plan.decimal_comma ? number_with_comma(text) : number_in(text);
 }
 
 /// False: the text cannot be this field.
@@ -74,7 +90,7 @@ bool take(const Plan& plan, const Field& field, std::string_view text, std::size
     if (field.validity) record.valid = false;
     return plan.form == Form::sentences || field.optional;
   }
-  const auto number = field.type == Type::hex ? parse_hex_number(text) : number_in(text);
+  const auto number = number_of(plan, field, text);
   if (!number && plan.form == Form::lines) return false;  // nothing else proves a line
   if (number) take_number(field, *number, value);
   if (!number) value.state = Value::State::malformed;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "drivers/wire/described/codec.hpp"
 #include "drivers/wire/text_fields.hpp"
@@ -9,20 +10,42 @@
 namespace drydock::wire::described {
 namespace {
 
-void write_number(const Field& field, double number, FieldWriter& line) {
-  std::array<char, 64> digits;
-  const int decimals = field.decimals;
+/// The digits of a number: hexadecimal ones in capitals, as nearly all sensors write them.
+std::string_view digits_of(const Field& field, double magnitude, bool comma,
+                           std::span<char, 64> buffer) {
+  char* const end = buffer.data() + buffer.size();
   const bool hex = field.type == Type::hex;
+  const char* const stop =
+      hex ? std::to_chars(buffer.data(), end, static_cast<std::uint64_t>(magnitude), 16).ptr
+          : std::to_chars(buffer.data(), end, magnitude, std::chars_format::fixed, field.decimals)
+                .ptr;
+  for (char& c : buffer.first(static_cast<std::size_t>(stop - buffer.data()))) {
+    if (c >= 'a' && c <= 'f') c = static_cast<char>(c - 'a' + 'A');
+    if (c == '.' && comma) c = ',';
+  }
+  return {buffer.data(), stop};
+}
+
+/// Two's complement of `width` digits, which the description must have.
+void write_signed_hex(const Field& field, double number, FieldWriter& line) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  const double limit = std::ldexp(1.0, 4 * field.width - 1);
+  const double rounded = std::clamp(std::round(number), -limit, std::nextafter(limit, 0));
+  const auto raw = static_cast<std::uint64_t>(static_cast<std::int64_t>(rounded));
+  for (unsigned left = field.width; left-- > 0;)
+    line.text(digits.substr(raw >> (4 * left) & 15, 1));
+}
+
+void write_number(const Plan& plan, const Field& field, double number, FieldWriter& line) {
+  if (field.type == Type::hex_signed) return write_signed_hex(field, number, line);
+  std::array<char, 64> buffer;
   constexpr double limit = 9e18;  // what 64 bits hold: microseconds since 1970 need 1.8e15
   const double sent = std::clamp(number, -limit, limit);
-  const auto written = hex ? std::to_chars(digits.begin(), digits.end(),
-                                           static_cast<std::uint64_t>(std::abs(sent)), 16)
-                           : std::to_chars(digits.begin(), digits.end(), std::abs(sent),
-                                           std::chars_format::fixed, decimals);
-  const auto size = static_cast<std::size_t>(written.ptr - digits.begin());
-  if (sent < 0) line.text("-");
-  for (std::size_t n = size + (sent < 0); n < field.width; ++n) line.text("0");
-  line.text({digits.data(), size});
+  const auto digits = digits_of(field, std::abs(sent), plan.decimal_comma, buffer);
+  const char sign = sent < 0 ? '-' : field.sign;
+  if (sign != 0) line.text({&sign, 1});
+  for (std::size_t n = digits.size() + (sign != 0); n < field.width; ++n) line.text("0");
+  line.text(digits);
 }
 
 /// False: the field has no value, and a line has no way to say so.
@@ -39,7 +62,7 @@ bool write_field(const Plan& plan, std::span<const Field> fields, const Field& f
     return true;
   }
   const auto number = wire_number(fields, field, readings);
-  if (number) write_number(field, *number, line);
+  if (number) write_number(plan, field, *number, line);
   return number || plan.form == Form::sentences || field.optional;
 }
 

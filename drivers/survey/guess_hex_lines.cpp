@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "drivers/survey/guess.hpp"
+#include "drivers/survey/left_out.hpp"
+#include "drivers/survey/line_cut.hpp"
+
+/// Lines of hexadecimal digits without anything between their columns, as some CTDs send them. In a
+/// number the last digit changes most often and the first most seldom, so a column begins where a
+/// digit changes much more seldom than the one before it.
+namespace drydock::survey {
+namespace {
+
+constexpr std::size_t fewest_hex_lines = 8, fewest_digits = 6, longest_column = 16;
+
+bool is_hex(std::string_view line) {
+  return std::ranges::all_of(
+      line, [](char c) { return is_digit(c) || (c >= 'A' && c <= 'F') || (c >= 'a' && c <= 'f'); });
+}
+
+bool has_letters(std::string_view line) { return std::ranges::any_of(line, is_letter); }
+
+/// How often each digit changed from line to line.
+std::vector<std::size_t> changes_of(const std::vector<std::string_view>& lines) {
+  std::vector<std::size_t> changes(lines.front().size());
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    for (std::size_t at = 0; at < changes.size(); ++at)
+      changes[at] += lines[i][at] != lines[i - 1][at];
+  return changes;
+}
+
+/// The digits of each column.
+std::vector<std::size_t> columns_of(const std::vector<std::size_t>& changes) {
+  std::vector<std::size_t> columns{1};
+  for (std::size_t at = 1; at < changes.size(); ++at) {
+    const bool begins = 2 * changes[at] < changes[at - 1] || columns.back() == longest_column;
+    if (begins)
+      columns.push_back(1);
+    else
+      ++columns.back();
+  }
+  return columns;
+}
+
+}  // namespace
+
+std::string guess_hex_lines(const std::vector<std::string_view>& all) {
+  if (all.size() <= fewest_hex_lines) return {};
+  const std::vector<std::string_view> lines(all.begin() + 1, all.end());  // the first may be cut
+  const std::size_t size = lines.front().size();
+  const bool same = std::ranges::all_of(
+      lines, [&](std::string_view line) { return line.size() == size && is_hex(line); });
+  if (!same || size < fewest_digits || std::ranges::none_of(lines, has_letters)) return {};
+  const auto columns = columns_of(changes_of(lines));
+  if (columns.size() > most_groups) return {};
+  std::string pattern, emulate, fields;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    pattern += fmt::format("(?P<c{}>[0-9A-Fa-f]{{{}}})", i + 1, columns[i]);
+    emulate += fmt::format("{{c{}}}", i + 1);
+    fields += fmt::format(
+        "  {{ group = \"c{0}\", name = \"column_{0}\", type = \"hex\", width = {1} }},\n", i + 1,
+        columns[i]);
+  }
+  return fmt::format(
+      "\n[protocol]\n# lines of hexadecimal digits; a column ends where a digit that changes often "
+      "is\n# followed by one that seldom does. hex_signed is the type of a number that can be "
+      "negative.\n\n[[protocol.lines]]             # {} times, as {}\nname = \"line_1\"\nhead = "
+      "\"\"\npattern = '{}'\nemulate = \"{}\"\nfields = [\n{}]\n",
+      lines.size(), in_comment(lines.front()), pattern, emulate, fields);
+}
+
+}  // namespace drydock::survey
