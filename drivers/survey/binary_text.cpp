@@ -20,10 +20,21 @@ std::string field_text(const Guessed& one) {
                      one.at, one.type, one.at, order_of(one.big_endian), one.low, one.high);
 }
 
-std::string constant_text(const Guessed& one, Bytes frame) {
-  return fmt::format("  # byte {}: {} {} (0x{:02X})\n", one.at,
-                     one.low == one.high ? "always" : "mostly", frame[one.at], frame[one.at]);
-}
+/// Bytes in a row that are always the same, or mostly.
+struct Constants {
+  std::size_t from = 0, to = 0;
+  bool always = true;
+
+  std::string text(Bytes frame) const {
+    const char* how = always ? "always" : "mostly";
+    if (to - from == 1)
+      return fmt::format("  # byte {}: {} {} (0x{:02X})\n", from, how, frame[from], frame[from]);
+    constexpr std::size_t shown = 16;
+    return fmt::format("  # bytes {} to {}: {} {}{}\n", from, to - 1, how,
+                       hex_of(frame.subspan(from, std::min(shown, to - from))),
+                       to - from > shown ? " ..." : "");
+  }
+};
 
 /// Runs of constant bytes, which only a comment names, and fields until they are too many.
 class FieldList {
@@ -43,6 +54,7 @@ class FieldList {
       for (const Guessed& one : guess_numbers(kind_.frames, from, to)) add(one);
       from = to;
     }
+    end_constants();
     if (left_out_ > 0) text_ += fmt::format("  # and {} more that change\n", left_out_);
     if (kind_.longest > kind_.shortest)
       text_ += fmt::format("  # the longest has {} bytes more\n", kind_.longest - kind_.shortest);
@@ -67,18 +79,33 @@ class FieldList {
   }
 
   void add(const Guessed& one) {
-    if (one.looks == Guessed::Looks::constant)
-      text_ += constant_text(one, kind_.frames[0]);
-    else if (fields_ == wire::described::most_fields)
+    if (one.looks == Guessed::Looks::constant) return add_constant(one);
+    end_constants();
+    if (fields_ == wire::described::most_fields)
       ++left_out_;
     else
       text_ += field_text(one), ++fields_;
+  }
+
+  void add_constant(const Guessed& one) {
+    const bool always = one.low == one.high;
+    if (constants_.to != one.at || constants_.always != always) {
+      end_constants();
+      constants_ = {one.at, one.at, always};
+    }
+    constants_.to = one.at + 1;
+  }
+
+  void end_constants() {
+    if (constants_.to > constants_.from) text_ += constants_.text(kind_.frames[0]);
+    constants_ = {};
   }
 
   const BinaryGuess& guess_;
   const MessageGuesses& kinds_;
   const MessageGuess& kind_;
   std::string text_;
+  Constants constants_;
   std::size_t fields_ = 0, left_out_ = 0;
 };
 

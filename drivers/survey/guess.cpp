@@ -78,7 +78,8 @@ std::string guess_description(wire::Bytes capture) {
   const std::string frames = is_text(rest) ? std::string() : guess_binary(rest);
   if (texts.empty() && frames.empty()) return {};
   if (frames.empty()) return std::string(head) + texts;
-  if (texts.empty()) return std::string(head) + frames;
+  const bool has_sentences = rest.size() < capture.size();
+  if (texts.empty() || !has_sentences) return std::string(head) + frames;
   const bool mostly_frames = rest.size() * 2 > capture.size();
   return fmt::format("{}{}{}", head, mostly_frames ? frames : texts,
                      mostly_frames ? also_texts : also_frames);

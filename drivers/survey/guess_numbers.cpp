@@ -43,13 +43,48 @@ Range range_of(const Frames& frames, std::size_t at, bool big) {
   return range;
 }
 
-/// A float of a sensor is finite, of a usual size, and seldom jumps over its whole range.
+/// A float of a sensor is finite and of a usual size; noise about zero comes near it now and then.
 template <class T>
 bool is_real(const Frames& frames, std::size_t at, bool big) {
-  return std::ranges::all_of(frames, [&](Bytes frame) {
+  std::size_t tiny = 0;
+  for (const Bytes frame : frames) {
     const double x = value_at<T>(frame, at, big);
-    return std::isfinite(x) && (x == 0 || (std::abs(x) > 1e-6 && std::abs(x) < 1e7));
-  });
+    if (!std::isfinite(x) || std::abs(x) >= 1e7) return false;
+    tiny += x != 0 && std::abs(x) <= 1e-6;
+  }
+  return 100 * tiny <= frames.size();
+}
+
+/// A clock advances by nearly the same from frame to frame. Its upper half changes too, or is 0.
+bool is_clock(const Frames& frames, std::size_t at, bool big) {
+  const auto value = [&](Bytes frame) {
+    return big ? wire::load_be<std::uint32_t>(frame, at) : wire::load_le<std::uint32_t>(frame, at);
+  };
+  std::vector<std::uint32_t> steps;
+  bool small = true;
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    steps.push_back(value(frames[i]) - value(frames[i - 1]));
+    small = small && value(frames[i]) <= 0xFFFF;
+  }
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::ranges::nth_element(steps, middle);
+  const std::uint32_t usual = *middle;
+  if (usual == 0 || usual > 0x1000000) return false;
+  const auto even = std::ranges::count_if(
+      steps, [&](std::uint32_t step) { return step - (usual - usual / 8) <= usual / 4; });
+  const bool upper_changes = usual > 0xFFFF / steps.size();
+  return static_cast<std::size_t>(even) * 10 >= steps.size() * 9 && (small || upper_changes);
+}
+
+/// A small number of 16 bits with a sign: its upper byte is 0 or FFh, as its lower one tells.
+bool is_small_signed(const Frames& frames, std::size_t at, bool big) {
+  std::size_t negative = 0;
+  for (const Bytes frame : frames) {
+    const std::uint8_t upper = frame[big ? at : at + 1], lower = frame[big ? at + 1 : at];
+    if (upper != (lower >= 0x80 ? 0xFF : 0)) return false;
+    negative += upper != 0;
+  }
+  return 100 * std::min(negative, frames.size() - negative) >= frames.size();
 }
 
 bool is_smooth(const Range& range) {
@@ -85,7 +120,9 @@ bool is_short(const Frames& frames, std::size_t at, bool big) {
 /// The shorter comes first: half of a double is seldom a float, but two floats are often a double.
 std::optional<Guessed> number_at(const Frames& frames, std::size_t at, std::size_t end) {
   auto found = number<float>(frames, at, end, "f32", is_real<float>);
+  if (!found) found = number<std::uint32_t>(frames, at, end, "u32", is_clock);
   if (!found) found = number<double>(frames, at, end, "f64", is_real<double>);
+  if (!found) found = number<std::int16_t>(frames, at, end, "i16", is_small_signed);
   if (!found) found = number<std::int16_t>(frames, at, end, "i16", is_short);
   if (!found) found = number<std::int32_t>(frames, at, end, "i32", is_long);
   return found;
@@ -101,6 +138,17 @@ Guessed byte_at(const Frames& frames, std::size_t at) {
   return one;
 }
 
+/// Behind a float with its high byte first comes another one, whose high byte does not change where
+/// the value hardly does: gravity.
+std::optional<Guessed> next_float(const Frames& frames, std::size_t at, std::size_t end,
+                                  const Guessed& before) {
+  const bool follows = before.type == "f32" && before.big_endian && frames[0][at] != 0;
+  if (!follows || at + 4 > end || is_constant(frames, at + 3)) return {};
+  if (!is_real<float>(frames, at, true)) return {};
+  const Range range = range_of<float>(frames, at, true);
+  return Guessed{Guessed::Looks::number, at, 4, "f32", true, range.low, range.high};
+}
+
 }  // namespace
 
 bool is_constant(const Frames& frames, std::size_t at) {
@@ -113,6 +161,8 @@ std::vector<Guessed> guess_numbers(const Frames& frames, std::size_t from, std::
   std::vector<Guessed> all;
   for (std::size_t at = from; at < end; at += all.back().size) {
     Guessed one = byte_at(frames, at);
+    if (one.looks == Guessed::Looks::constant && !all.empty())
+      if (const auto next = next_float(frames, at, end, all.back())) one = *next;
     if (one.looks == Guessed::Looks::byte)
       if (const auto number = number_at(frames, at, end)) one = *number;
     all.push_back(one);
