@@ -26,8 +26,25 @@ bool is_sign(std::string_view line, std::size_t at) {
   return has_point || letter_alone;
 }
 
+/// True if 0x stands here, and a hexadecimal digit behind it.
+bool is_hex_prefix(std::string_view line, std::size_t at) {
+  const bool inside = at > 0 && (is_digit(line[at - 1]) || is_letter(line[at - 1]));
+  return !inside && at + 2 < line.size() && line[at] == '0' &&
+         (line[at + 1] == 'x' || line[at + 1] == 'X') && is_hex_digit(line[at + 2]);
+}
+
+bool is_behind_hex_prefix(std::string_view line, std::size_t at) {
+  return at >= 2 && is_hex_prefix(line, at - 2);
+}
+
 /// Characters of the number that begins here; 0: none does.
 std::size_t number_at(std::string_view line, std::size_t at) {
+  if (is_hex_prefix(line, at)) return 0;
+  if (is_behind_hex_prefix(line, at)) {
+    std::size_t stop = at;
+    while (stop < line.size() && is_hex_digit(line[stop])) ++stop;
+    return stop - at;
+  }
   const char before = at == 0 ? ' ' : line[at - 1];
   const bool has_sign = is_sign(line, at);
   const std::size_t digits = at + (has_sign ? 1 : 0);
@@ -73,6 +90,7 @@ LineCut cut_at_numbers(std::string_view line) {
     cut.blanks.push_back(before.size() - text);
     before.resize(text);
     cut.numbers.push_back(line.substr(i, size));
+    cut.hexadecimal.push_back(is_behind_hex_prefix(line, i));
     cut.texts.emplace_back();
     i += size;
   }

@@ -30,7 +30,10 @@ void read_written(const Node& line, std::span<const described::Field> fields,
   while (!rest.empty()) {
     described::WrittenPiece piece{std::string(rest.substr(0, rest.find('{')))};
     rest.remove_prefix(piece.text.size());
-    if (!rest.empty()) {
+    if (rest.starts_with("{{")) {  // one bracket that begins no group
+      piece.text += '{';
+      rest.remove_prefix(2);
+    } else if (!rest.empty()) {
       const auto end = std::min(rest.find('}'), rest.size());
       const std::string name(rest.substr(1, end - 1));
       const auto found =

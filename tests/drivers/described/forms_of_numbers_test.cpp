@@ -3,7 +3,6 @@
 
 #include <numbers>
 
-#include "drivers/survey/guess.hpp"
 #include "drivers/wire/described/crc_line.hpp"
 #include "tests/drivers/described/support.hpp"
 
@@ -202,6 +201,22 @@ TEST(DecimalComma, RefusesAPointBecauseItsMeaningIsNotKnown) {
             Decoded::message);
 }
 
+TEST(Brackets, ThatBeginNoGroupAreWrittenTwice) {
+  const auto description = described(with_protocol("", R"(
+[[protocol.lines]]
+name = "json"
+head = '{"depth":'
+pattern = '(?P<depth>[0-9.]+),"more":\{"volt":12\}\}'
+emulate = '{depth},"more":{{"volt":12}}'
+fields = [{ group = "depth", decimals = 2, emulate = 1.5 }]
+)"));
+  Buffer bytes(256);
+  bytes.resize(
+      wire::described::encode(description->plan, description->plan.messages[0], {}, bytes));
+  EXPECT_EQ(as_text(bytes), "{\"depth\":1.50,\"more\":{\"volt\":12}}\r\n");
+  EXPECT_EQ(value_of(decoded(description, bytes), "depth"), 1.5);
+}
+
 TEST(DecimalComma, NeedsAnotherSeparatorAndAText) {
   std::string text = comma;
   text.replace(text.find("separator = \";\"\n"), 16, "");
@@ -229,46 +244,6 @@ fields = [{ at = 3, type = "septet2", name = "range_cm", emulate = 1234 },
       wire::described::encode(description->plan, description->plan.messages[0], {}, bytes);
   bytes.resize(size);
   EXPECT_EQ(bytes, frame);
-}
-
-std::string lines_of(int count, auto&& line) {
-  std::string text;
-  for (int i = 0; i < count; ++i) text += line(i) + "\r\n";
-  return text;
-}
-
-TEST(GuessedNumbers, WithDecimalCommasAreOneColumnEach) {
-  const auto guess = survey::guess_description(as_bytes(lines_of(
-      40, [](int i) { return fmt::format("D;{},{:02};{},{};OK", 12, i, 8 + i / 10, i % 10); })));
-  EXPECT_THAT(guess, HasSubstr("decimal = \",\""));
-  EXPECT_THAT(guess, HasSubstr("pattern = '(?P<c1>-?[0-9,]+);(?P<c2>-?[0-9,]+);OK'"));
-  EXPECT_THAT(guess, HasSubstr("decimals = 2 },  # 12.01 to 12.39"));
-  EXPECT_EQ(problems_of(guess), "");
-}
-
-TEST(GuessedNumbers, BetweenCommasAreNoDecimals) {
-  for (const char* line : {"{},{:02},5", "{}, {:02}", "1.5 {},{:02}"}) {
-    const auto guess = survey::guess_description(as_bytes(
-        lines_of(40, [&](int i) { return fmt::format(fmt::runtime(line), 12 + i / 9, i); })));
-    EXPECT_THAT(guess, ::testing::Not(HasSubstr("decimal ="))) << guess;
-    EXPECT_EQ(problems_of(guess), "") << guess;
-  }
-}
-
-/// As a CTD in its raw format: temperature, conductivity, pressure, temperature of the pressure
-/// sensor in 6, 6, 6 and 4 digits.
-TEST(GuessedNumbers, OfHexadecimalDigitsAreCutWhereTheirDigitsTell) {
-  const auto guess = survey::guess_description(as_bytes(lines_of(60, [](int i) {
-    return fmt::format("{:06X}{:06X}{:06X}{:04X}", 675441 + 3 * i, 1815879 - 5 * i, 791020 + 7 * i,
-                       33381 + i);
-  })));
-  EXPECT_THAT(guess, HasSubstr("(?P<c1>[0-9A-Fa-f]{6})(?P<c2>[0-9A-Fa-f]{6})(?P<c3>[0-9A-Fa-f]{6})"
-                               "(?P<c4>[0-9A-Fa-f]{4})"));
-  ASSERT_EQ(problems_of(guess), "");
-  const auto description = described(guess);
-  const auto line = decoded(description, as_bytes("0A4E711BB5470C11EC8265\r\n"));
-  EXPECT_EQ(value_of(line, "column_1"), 675441);
-  EXPECT_EQ(value_of(line, "column_4"), 33381);
 }
 
 }  // namespace forms_of_numbers_test
