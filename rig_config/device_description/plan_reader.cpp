@@ -256,6 +256,8 @@ class PlanReader {
       plan().texts = described::FlatTexts(plan());
       for (Problem& one : check_plan(plan(), messages.items, file_, path_))
         problems_.push_back(std::move(one));
+      for (Problem& one : check_emulated(plan(), messages.items, file_, path_))
+        problems_.push_back(std::move(one));
     }
     if (description_.kind && std::ranges::none_of(plan().messages, &Message::publishes))
       add(messages, path_, "no field is part of a measurement: none has the key 'field'");

@@ -201,6 +201,16 @@ TEST(DecimalComma, RefusesAPointBecauseItsMeaningIsNotKnown) {
             Decoded::message);
 }
 
+TEST(EmulatedLine, ThatIsNotItsMessageIsRefusedAndShown) {
+  std::string text = tss1;
+  text.replace(text.find("emulate = \"00{"), 14, "emulate = \":00{");
+  EXPECT_THAT(problems_of(text),
+              HasSubstr("/protocol/lines/0/emulate: the emulated device would write \"::00FFFE"));
+  text = tss1;
+  text.replace(text.find("width = 5, sign = \" \""), 21, "width = 5");
+  EXPECT_THAT(problems_of(text), HasSubstr("a field may need 'decimals', 'width' or 'sign'"));
+}
+
 TEST(Brackets, ThatBeginNoGroupAreWrittenTwice) {
   const auto description = described(with_protocol("", R"(
 [[protocol.lines]]
