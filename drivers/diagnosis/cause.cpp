@@ -70,6 +70,7 @@ constexpr auto table = std::to_array<CauseFacts>({
     {Cause::mounting, "mounting", {}, "its axes are turned against the other sensors", "`mounting_deg` of the rig, or the bracket; for tilts `levelled`", true, true},
     {Cause::scale, "scale", {}, "its values are too large or too small by a factor", "sound speed, or the sensor's scale", true, true},
     {Cause::wrong_rate, "wrong-rate", {}, "the rig expects another rate than the sensor gives", "`rate_hz` of the rig, or the sensor's setting"},
+    {Cause::line_full, "line-full", {}, "the sensor would say more than its line carries, and so it says it more seldom", "raise the baud rate at both ends, or let the sensor say less"},
 });
 // clang-format on
 

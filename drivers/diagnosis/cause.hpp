@@ -41,7 +41,8 @@ enum class Cause : std::uint8_t {
   hot,
   mounting,
   scale,
-  wrong_rate
+  wrong_rate,
+  line_full
 };
 
 /// One row a cause.

@@ -22,6 +22,7 @@ std::chrono::milliseconds memory_of(Sign sign) {
     case Sign::heat:
     case Sign::refuses:
     case Sign::rate_unexpected:
+    case Sign::line_full:
     case Sign::step: return std::chrono::milliseconds{1500};
     case Sign::stuck:
     case Sign::out_of_range:

@@ -15,6 +15,7 @@ std::string_view to_string(Sign sign) {
                                                           "rate too low",
                                                           "rate too high",
                                                           "another rate than stated",
+                                                          "line full",
                                                           "gaps",
                                                           "bunched",
                                                           "late",

@@ -20,6 +20,7 @@ enum class Sign : std::uint8_t {
   rate_low,
   rate_high,
   rate_unexpected,  ///< never the rate that the rig states
+  line_full,        ///< a serial line without a pause
   gaps,             ///< single samples are missing from the raster
   bunched,          ///< samples come together
   late,             ///< later than the raster, by a fixed time

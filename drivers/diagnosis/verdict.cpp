@@ -48,6 +48,7 @@ constexpr auto rules = std::to_array<Rule>({
     {Sign::delayed, Cause::delay, 0.8},
     {Sign::clock_step, Cause::clock_step, 0.9},
     {Sign::gaps, Cause::drop, 0.9},
+    {Sign::rate_unexpected, Cause::line_full, 0.9, Sign::line_full},
     {Sign::rate_unexpected, Cause::wrong_rate, 0.8},
     // values
     {Sign::values_missing, Cause::bottom_lost, 0.9},

@@ -7,6 +7,7 @@
 #include "drivers/diagnosis/monitors/bus_monitor.hpp"
 #include "drivers/diagnosis/monitors/device_monitor.hpp"
 #include "drivers/link/clock.hpp"
+#include "drivers/link/uri.hpp"
 #include "drivers/measurement/actuator_order.hpp"
 #include "estimators/consistency/consistency.hpp"
 #include "estimators/frame/attitude.hpp"
@@ -14,12 +15,18 @@
 namespace drydock::host {
 namespace {
 
+double bytes_per_second(const rig_config::DeviceConfig& config) {
+  const auto uri = link::parse_uri(config.link);
+  return uri ? uri->line_rate().value_or(wire::LineRate{}).bytes_per_second() : 0;
+}
+
 diagnosis::Expected expected_of(const rig_config::DeviceConfig& config, std::size_t device) {
   const wire::Protocol* const protocol = rig_config::protocol_of(config);
   return {.device = static_cast<std::uint16_t>(device),
           .kind = config.kind,
           .protocol = protocol != nullptr ? *protocol : wire::Protocol{},
           .nominal_rate_hz = config.rate_hz,
+          .line_bytes_per_second = bytes_per_second(config),
           .stale_after = measurement::from_seconds(config.stale_after_s),
           .address = static_cast<std::uint8_t>(config.address)};
 }

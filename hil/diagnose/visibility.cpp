@@ -8,6 +8,7 @@
 #include <set>
 
 #include "drivers/diagnosis/verdict.hpp"
+#include "drivers/link/uri.hpp"
 #include "drivers/measurement/kind.hpp"
 #include "drivers/wire/protocols.hpp"
 
@@ -53,6 +54,11 @@ bool tells_time(const DeviceConfig& device, const wire::Protocol& protocol) {
          (protocol.clock == wire::DeviceClock::of_receiver && device.kind == Kind::gnss);
 }
 
+bool has_baud_rate(const DeviceConfig& device) {
+  const auto uri = link::parse_uri(device.link);
+  return uri && uri->line_rate().has_value();
+}
+
 /// True if such a device can have it at all.
 bool applies(Cause cause, const DeviceConfig& device, const wire::Protocol& protocol) {
   const bool frames = protocol.travels == wire::Travels::as_frames;
@@ -64,6 +70,7 @@ bool applies(Cause cause, const DeviceConfig& device, const wire::Protocol& prot
     case Cause::error_frames:
     case Cause::bus_load: return frames;
     case Cause::address_stolen: return protocol.network == wire::Network::j1939;
+    case Cause::line_full: return !frames && has_baud_rate(device);
     case Cause::nak: return protocol.settings == wire::Settings::refusable;
     case Cause::bottom_lost: return device.kind == Kind::dvl;
     case Cause::satellites_blocked:
@@ -149,8 +156,8 @@ std::set<Cause> all_conclusions() {
 
 bool needs_times(Cause cause) {
   using enum Cause;
-  constexpr std::array all{silent, drop,       delay,       jitter, slow,
-                           burst,  clock_step, clock_drift, drift,  wrong_rate};
+  constexpr std::array all{silent,     drop,        delay, jitter,     slow,     burst,
+                           clock_step, clock_drift, drift, wrong_rate, line_full};
   return std::ranges::find(all, cause) != all.end();
 }
 

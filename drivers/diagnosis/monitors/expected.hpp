@@ -12,8 +12,9 @@ namespace drydock::diagnosis {
 struct Expected {
   std::uint16_t device = 0;  ///< index in the rig
   measurement::Kind kind = measurement::Kind::imu;
-  wire::Protocol protocol{};   ///< checksum, own clock, bytes or frames
-  double nominal_rate_hz = 0;  ///< 0: not known
+  wire::Protocol protocol{};         ///< checksum, own clock, bytes or frames
+  double nominal_rate_hz = 0;        ///< 0: not known
+  double line_bytes_per_second = 0;  ///< that its serial line carries; 0: not known
   std::chrono::nanoseconds stale_after = std::chrono::seconds{2};  ///< silence that is none yet
   std::uint8_t address = 0;                                        ///< on a bus; 0: not known
   /// The bus monitor watches when its frames come; its measurements only tell its clock.

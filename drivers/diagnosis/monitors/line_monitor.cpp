@@ -23,6 +23,9 @@ constexpr std::chrono::seconds refusal_lasts{60};
 constexpr double most_rate_error = 0.3;
 constexpr std::chrono::seconds rate_settles{20};
 
+/// A serial line that carries a larger share of what it can has no pauses.
+constexpr double fullest_free = 0.95;
+
 double grown(std::uint64_t now, std::uint64_t before) {
   return now > before ? static_cast<double>(now - before) : 0;
 }
@@ -123,10 +126,23 @@ void LineMonitor::look_at_rate(const Vitals& vitals, Stamp now) {
     had_its_rate_ = true;
     return;
   }
-  if (!off_rate_since_) off_rate_since_ = now;
-  if (now - *off_rate_since_ > rate_settles)
-    teller_.tell(Sign::rate_unexpected, vitals.since, now,
-                 {*vitals.rate_hz, nominal, "rate", "Hz"});
+  if (!off_rate_since_) {
+    off_rate_since_ = now;
+    bytes_when_off_rate_ = vitals.stream.bytes_in;
+  }
+  if (now - *off_rate_since_ <= rate_settles) return;
+  teller_.tell(Sign::rate_unexpected, vitals.since, now, {*vitals.rate_hz, nominal, "rate", "Hz"});
+  if (*vitals.rate_hz < nominal) look_at_share_of_line(vitals, now);
+}
+
+/// Adapters for USB may carry more than the rate that they are told.
+void LineMonitor::look_at_share_of_line(const Vitals& vitals, Stamp now) {
+  const double most =
+      measurement::seconds(now - *off_rate_since_) * expected_.line_bytes_per_second;
+  const double bytes = grown(vitals.stream.bytes_in, bytes_when_off_rate_);
+  if (most <= 0 || bytes < fullest_free * most || bytes > most / fullest_free) return;
+  teller_.tell(Sign::line_full, vitals.since, now,
+               {100 * bytes / most, 100 * fullest_free, "of its line", "%"});
 }
 
 }  // namespace drydock::diagnosis

@@ -25,6 +25,7 @@ class LineMonitor {
   void look_at_counters(const device::Vitals& vitals, Stamp now);
   void look_at_reports(const device::Vitals& vitals, Stamp now);
   void look_at_rate(const device::Vitals& vitals, Stamp now);
+  void look_at_share_of_line(const device::Vitals& vitals, Stamp now);
 
   Expected expected_;
   Teller teller_;
@@ -37,6 +38,7 @@ class LineMonitor {
   Stamp hot_since_{}, hot_until_{};
   Stamp refused_since_{}, refused_until_{};
   std::optional<Stamp> off_rate_since_;
+  std::uint64_t bytes_when_off_rate_ = 0;
   bool had_its_rate_ = false;
 };
 

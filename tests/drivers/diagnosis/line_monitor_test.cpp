@@ -120,6 +120,29 @@ TEST_F(LineThatIsWatched, HasAnotherRateThanStatedAfterTwentySecondsOfIt) {
   EXPECT_TRUE(signs.has(Sign::rate_unexpected));
 }
 
+/// Three frames of 50 bytes in a quarter of a second are 600 bytes a second.
+TEST(LineOfARate, IsFullWhereItsBytesHaveNoPause) {
+  for (const auto& [bytes_per_second, full] : {std::pair(610.0, true), std::pair(960.0, false),
+                                               std::pair(0.0, false), std::pair(300.0, false)}) {
+    Signs signs;
+    LineMonitor monitor{{.kind = measurement::Kind::dvl,
+                         .nominal_rate_hz = 50,
+                         .line_bytes_per_second = bytes_per_second},
+                        signs};
+    device::Health health;
+    health.state = State::streaming;
+    health.rate_hz = 12;
+    for (int i = 1; i < 100; ++i) {
+      health.stream.frames += 3;
+      health.stream.bytes_in += 150;
+      health.last_message_at = at_s(0.25 * i);
+      monitor.look(health, at_s(0.25 * i));
+    }
+    EXPECT_TRUE(signs.has(Sign::rate_unexpected));
+    EXPECT_EQ(signs.has(Sign::line_full), full) << bytes_per_second;
+  }
+}
+
 TEST_F(LineThatIsWatched, ThatHadItsRateOnceIsLeftToTheOtherMonitors) {
   health.rate_hz = 0.9 * 10;
   look(3);
