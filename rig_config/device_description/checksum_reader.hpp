@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "drivers/wire/described/checksums.hpp"
+#include "drivers/wire/described/plan.hpp"
 #include "rig_config/load.hpp"
 #include "rig_config/toml/node.hpp"
 

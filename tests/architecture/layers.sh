@@ -47,7 +47,7 @@ estimators/consistency     estimators/frame drivers/diagnosis drivers/measuremen
 estimators/external        estimators/pipeline estimators/frame drivers/bus drivers/process drivers/text drivers/measurement rig_config/estimator/external
 estimators/setup           estimators/external estimators/pipeline drivers/bus estimators/vehicle estimators/frame drivers/measurement rig_config
 estimators/host            drivers/diagnosis estimators/consistency estimators/setup estimators/pipeline estimators/frame drivers/host drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
-rig_config                 drivers/wire/protocols drivers/wire/hex drivers/wire/described/description drivers/wire/described/frame_plan drivers/wire/dbc/database drivers/wire/dbc/reader drivers/wire/described/plan drivers/wire/described/targets drivers/measurement/units drivers/measurement/kind drivers/measurement/sound_speed drivers/measurement/actuator_order
+rig_config                 drivers/wire/protocols drivers/wire/hex drivers/wire/described/description drivers/wire/described/frame_plan drivers/wire/dbc/database drivers/wire/dbc/reader drivers/wire/described/plan drivers/wire/described/targets drivers/wire/described/crc_line drivers/wire/described/read_back drivers/measurement/units drivers/measurement/kind drivers/measurement/sound_speed drivers/measurement/actuator_order
 hil/report
 hil/ocean                  estimators/frame drivers/measurement rig_config
 hil/motion                 hil/ocean estimators/frame estimators/hydrodynamics estimators/vehicle drivers/measurement rig_config

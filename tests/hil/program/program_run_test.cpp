@@ -61,12 +61,13 @@ TEST(Program, AFaultIsSetListedAndClearedWhileTheBenchRuns) {
   const Folder folder;
   const std::string rig = "rig_config/rigs/demo.toml",
                     fault = DRYDOCK_PROGRAM " fault " + rig + " ";
-  const auto outcome =
-      drydock("run " + rig + " --for 8s --json " + (folder / "s.json").string() + " > " +
-              (folder / "run.txt").string() + " & sleep 3; " + fault +
-              "set dvl garbage bytes=32 --for 1s; " + fault + "set emlog unplug; " + fault +
-              "list; " + fault + "set emlog bottom-lost 2>&1; " + fault + "clear emlog; sleep 1; " +
-              fault + "list; wait");
+  const auto outcome = drydock(
+      "run " + rig + " --json " + (folder / "s.json").string() + " > " +
+      (folder / "run.txt").string() + " & " + program::until_linked("demo.control") + fault +
+      "set dvl garbage bytes=32 --for 1s; " + fault + "set emlog unplug; " + fault + "list; " +
+      fault + "set emlog bottom-lost 2>&1; " + fault + "clear emlog; " + "n=0; until " + fault +
+      "list | grep -q 'no fault' || [ $((n += 1)) = 100 ]; do sleep .1; done; " + fault +
+      "list; kill -INT $!; wait");
   EXPECT_THAT(outcome.output, HasSubstr("set: dvl: garbage, bytes = 32, for 1 s"));
   EXPECT_THAT(outcome.output, HasSubstr("emlog: unplug (since "));
   EXPECT_THAT(outcome.output, HasSubstr("only a dvl hears the sea bed"));
