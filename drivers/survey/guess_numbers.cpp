@@ -55,11 +55,14 @@ bool is_real(const Frames& frames, std::size_t at, bool big) {
   return 100 * tiny <= frames.size();
 }
 
+constexpr std::size_t fewest_for_clock = 4;
+
 /// A clock advances by nearly the same from frame to frame. Its upper half changes too, or is 0.
 bool is_clock(const Frames& frames, std::size_t at, bool big) {
   const auto value = [&](Bytes frame) {
     return big ? wire::load_be<std::uint32_t>(frame, at) : wire::load_le<std::uint32_t>(frame, at);
   };
+  if (frames.size() < fewest_for_clock) return false;
   std::vector<std::uint32_t> steps;
   bool small = true;
   for (std::size_t i = 1; i < frames.size(); ++i) {

@@ -28,8 +28,9 @@ struct Parameters {
 
   /// Empty, or what is wrong with the word.
   std::string take(std::string_view word) {
-    const std::size_t equals = std::min(word.find('='), word.size() - 1);
-    const std::string_view key = word.substr(0, equals), value = word.substr(equals + 1);
+    const std::size_t equals = std::min(word.find('='), word.size());
+    const std::string_view key = word.substr(0, equals),
+                           value = word.substr(std::min(equals + 1, word.size()));
     if (key == "name" || key == "residue") return {};
     for (std::size_t i = 0; i < words.size(); ++i) {
       if (words[i] != key) continue;
@@ -63,7 +64,8 @@ std::string read_crc(std::string_view line, Crc& into) {
   if (*refin != *refout) return "refin and refout must be the same";
   for (const auto& value : {poly, init, xorout})
     if (*value >> *width != 0) return fmt::format("{:X} has more than {} bits", *value, *width);
-  constexpr std::array<std::string_view, 5> names{"", "crc-8", "crc-16", "crc-24", "crc-32"};
+  constexpr std::array<std::string_view, 5> names{"", "a CRC of 8 bits", "a CRC of 16 bits",
+                                                  "a CRC of 24 bits", "a CRC of 32 bits"};
   into = {.name = names[*width / 8],
           .width = static_cast<unsigned>(*width),
           .polynomial = static_cast<std::uint32_t>(*poly),

@@ -116,6 +116,7 @@ TEST(OwnCrc, WithAMistakeIsRefusedInWordsThatNameIt) {
   EXPECT_THAT(fault("width=16 poly=1021 init=0 refin=true refout=false xorout=0"),
               HasSubstr("must be the same"));
   EXPECT_THAT(fault(right + " seed=1"), HasSubstr("\"seed\" is no parameter of a CRC"));
+  EXPECT_THAT(fault(right + " reflected"), HasSubstr("\"reflected\" is no parameter of a CRC"));
   EXPECT_THAT(fault("width=16 poly= init=0 refin=no refout=no xorout=0"),
               HasSubstr("poly has no value"));
   EXPECT_THAT(problems_of(with_protocol("checksum = \"width=16\"\n", bestpos_fields)),

@@ -115,7 +115,7 @@ TEST(GuessedFrames, NoiseAboutZeroAndGravityAreFloats) {
                     "{{ at = {0}, type = \"f32\", name = \"at_{0}\", order = \"big\" }}", at)));
 }
 
-/// The short log INSPVAS of a NovAtel receiver: doubles that stand still look like anything.
+/// The short log INSPVAS of a NovAtel receiver, and behind it bytes that look like a line of text.
 TEST(GuessedFrames, WithoutASentenceAreNotSaidToHaveSome) {
   Wander roll(1, 1), pitch(1, 2);
   Buffer capture;
@@ -130,9 +130,12 @@ TEST(GuessedFrames, WithoutASentenceAreNotSaidToHaveSome) {
     put(frame, pitch.next());
     put(frame, 200 + roll.next());
     put(frame, std::uint32_t{3});
+    for (const char c : std::string_view("\r\n#7 ok\r\n"))
+      frame.push_back(static_cast<std::uint8_t>(c));
     put_checksum(frame, "crc-32/novatel", 0, false);
     capture.insert(capture.end(), frame.begin(), frame.end());
   }
+  ASSERT_NE(survey::guess_text(capture), "") << "some bytes look like lines";
   const auto guess = survey::guess_description(capture);
   EXPECT_THAT(guess, HasSubstr("checksum = \"crc-32/novatel\""));
   EXPECT_THAT(guess, Not(HasSubstr("carries sentences")));
