@@ -64,8 +64,9 @@ bool counts_differ(std::span<const Field> a, std::span<const Field> b) {
 }
 
 bool lengths_differ(const Message& a, const Message& b, const Plan& plan) {
-  const bool fixed = a.length.size == 0 && b.length.size == 0;
-  return fixed && a.length.fixed != b.length.fixed && plan.checksum.size() >= 2;
+  const auto is_fixed = [](const Message& m) { return m.length.size == 0 && !m.length.is_any(); };
+  return is_fixed(a) && is_fixed(b) && a.length.fixed != b.length.fixed &&
+         (plan.checksum.size() >= 2 || plan.stuffing != described::Stuffing::none);
 }
 
 /// A line whose head is longer cannot be the other one, if that continues with a number.
@@ -87,15 +88,25 @@ bool ambiguous(const Message& a, const Message& b, const Plan& plan) {
   return !(counts_differ(of_a, of_b) || separators_differ(of_a, of_b));
 }
 
+/// True if the field has bytes of a checksum that stands in front.
+bool in_checksum(const Field& field, const Plan& plan) {
+  const auto meets = [&](std::size_t at, std::size_t size) {
+    return field.at < at + size && at < field.at + std::size_t{field.size};
+  };
+  return (plan.checksum_at && meets(*plan.checksum_at, plan.checksum.size())) ||
+         (plan.header && meets(plan.header->at, plan.header->checksum.size()));
+}
+
 /// What stands outside the frame of a binary message, in words. Empty: nothing.
 std::string outside(const Message& message, const Plan& plan) {
   const auto& length = message.length;
   const std::size_t sum = plan.tail();
-  const std::size_t longest = length.size == 0 ? length.fixed : plan.longest;
+  const bool fixed = length.size == 0 && !length.is_any();
+  const std::size_t longest = fixed ? length.fixed : plan.longest;
   if (longest > plan.longest)
     return fmt::format("has {} bytes, allowed: up to {} ('longest')", longest, plan.longest);
-  if (longest < message.head.size() + sum || longest < plan.checksum_from + sum)
-    return fmt::format("has {} bytes, fewer than its sync, its checksum and its end", longest);
+  if (longest < message.head.size() + sum || longest < plan.least())
+    return fmt::format("has {} bytes, fewer than its sync, its checksums and its end", longest);
   if (length.size != 0 && length.at + std::size_t{length.size} + sum > plan.longest)
     return "its length is outside of it";
   for (const Field& field : plan.fields_of(message)) {
@@ -105,6 +116,8 @@ std::string outside(const Message& message, const Plan& plan) {
     if (field.at + std::size_t{field.size} + sum > longest)
       return fmt::format("field at {} ends behind byte {}, where the checksum or the end is",
                          field.at, longest - sum - 1);
+    if (field.type != Type::ignored && in_checksum(field, plan))
+      return fmt::format("field at {} is in a checksum", field.at);
   }
   return {};
 }

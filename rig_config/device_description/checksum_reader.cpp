@@ -22,28 +22,25 @@ std::string no_checksum(const std::string& word) {
                                        described::plain_checksums.end());
   return fmt::format(
       "\"{}\" is no checksum{}, allowed: {}, or a CRC of 8, 16, 24 or 32 bits by its name in the "
-      "CRC "
-      "catalogue, such as crc-16/modbus, or by its parameters, such as width=16 poly=1021 "
-      "init=FFFF "
-      "refin=false refout=false xorout=0",
+      "CRC catalogue, such as crc-16/modbus, or by its parameters, such as width=16 poly=1021 "
+      "init=FFFF refin=false refout=false xorout=0",
       word, did_you_mean(word, known), listed(plain));
 }
 
 }  // namespace
 
-void read_checksum(const Node& protocol, const std::string& word, described::Checksum& into,
+void read_checksum(const Node& word, const std::string& path, described::Checksum& into,
                    const std::string& file, Problems& problems) {
   std::string fault;
-  if (word.find('=') != word.npos) {
+  if (word.text.find('=') != word.text.npos) {
     described::Crc crc;
-    fault = described::read_crc(word, crc);
+    fault = described::read_crc(word.text, crc);
     if (fault.empty()) into = described::Checksum(crc);
-  } else if (!described::Checksum::find(word, into)) {
-    fault = no_checksum(word);
+  } else if (!described::Checksum::find(word.text, into)) {
+    fault = no_checksum(word.text);
   }
-  if (fault.empty()) return;
-  const auto at = protocol.find("checksum")->at;
-  problems.push_back({file, at.line, at.column, "/protocol/checksum", std::move(fault)});
+  if (!fault.empty())
+    problems.push_back({file, word.at.line, word.at.column, path, std::move(fault)});
 }
 
 }  // namespace drydock::rig_config

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "rig_config/device_description/checksum_reader.hpp"
 #include "rig_config/device_description/field_reader.hpp"
 #include "rig_config/device_description/field_relations.hpp"
 #include "rig_config/device_description/frame_messages.hpp"
 #include "rig_config/device_description/frame_reader.hpp"
 #include "rig_config/device_description/pattern_reader.hpp"
+#include "rig_config/device_description/protocol_keys.hpp"
 #include "rig_config/device_description/requests.hpp"
 #include "rig_config/rules/explain.hpp"
 #include "rig_config/toml/read_keys.hpp"
@@ -41,7 +41,7 @@ class PlanReader {
       if (plan().form == Form::frames) frames_ = plan_frames(root_, description_, file_, problems_);
       if (plan().form == Form::frames ? !frames_ : has_dbc_in_vain())
         return std::move(description_);
-      read_common();
+      read_protocol_keys(protocol_, plan(), file_, problems_);
       for (std::size_t i = 0; i < messages->items.size(); ++i) read_message(messages->items[i], i);
       if (problems_.empty()) finish(*messages);
     }
@@ -75,53 +75,11 @@ class PlanReader {
     return word != nullptr;
   }
 
-  void read_common() {
-    std::string order = "little", sum = plan().form == Form::sentences ? "xor" : "none";
-    read(protocol_, "order", order);
-    big_endian_ = order == "big";
-    read(protocol_, "checksum_order", order);
-    plan().checksum_big_endian = order == "big";
-    read(protocol_, "checksum", sum);
-    read_checksum(protocol_, sum, plan().checksum, file_, problems_);
-    plan().checksum_from = plan().form == Form::sentences ? 1 : 0;
-    if (const Node* from = protocol_.find("checksum_from"))
-      plan().checksum_from = static_cast<std::uint16_t>(from->integer);
-    read(protocol_, "checksum_optional", plan().checksum_optional);
-    read_decimal();
-    read_end();
-    plan().longest = plan().form == Form::binary ? 1024 : 256;
-    if (const Node* longest = protocol_.find("longest"))
-      plan().longest = static_cast<std::size_t>(longest->integer);
-    if (plan().form == Form::lines && plan().checksum.size() > 0)
-      add(*protocol_.find("checksum"), "/protocol/checksum",
-          "lines have none; with one behind a '*' they are sentences");
-  }
-
-  void read_decimal() {
-    const Node* decimal = protocol_.find("decimal");
-    if (!decimal) return;
-    plan().decimal_comma = decimal->text == ",";
-    if (plan().form != Form::sentences && plan().form != Form::lines)
-      add(*decimal, "/protocol/decimal", "only numbers of a text have it");
-  }
-
   /// Fields in their order need another separator; a pattern has none.
   void check_decimal(const Node& table, const std::string& path) {
-    if (plan().decimal_comma && separator() == ',' && !table.find("pattern"))
+    if (plan().decimal_comma && separator_of(protocol_) == ',' && !table.find("pattern"))
       add(*protocol_.find("decimal"), path,
           "the comma of the decimals is the separator too; allowed: separator = another character");
-  }
-
-  void read_end() {
-    const Node* end = protocol_.find("end");
-    if (!end) return;
-    const auto bytes = hex_bytes(end->text);
-    if (plan().form != Form::binary)
-      add(*end, "/protocol/end", "only binary frames have bytes behind their checksum");
-    else if (!bytes || bytes->empty() || bytes->size() > 16)
-      add(*end, "/protocol/end", "expected 1 to 16 bytes in hexadecimal digits, such as \"0D 0A\"");
-    else
-      plan().end = *bytes;
   }
 
   void read_message(const Node& table, std::size_t i) {
@@ -133,6 +91,7 @@ class PlanReader {
     check_name(table, path, message);
     message.first_field = static_cast<std::uint16_t>(plan().fields.size());
     read_fields(table, path, message);
+    check_begin(table, path, message);
     const bool emulated = !table.find("emulated") || table.find("emulated")->boolean;
     const bool can_be_written = !table.find("pattern") || table.find("emulate");
     message.emulated = emulated && message.publishes && can_be_written;
@@ -166,12 +125,7 @@ class PlanReader {
       return;
     }
     if (plan().form == Form::binary) {
-      const Node& sync = *table.find("sync");
-      const auto bytes = hex_bytes(sync.text);
-      if (!bytes || bytes->empty() || bytes->size() > 16)
-        return add(sync, path + "/sync",
-                   "expected 1 to 16 bytes in hexadecimal digits, such as \"FA 49\"");
-      message.head = *bytes;
+      read_sync(table, path, message);
       return read_length(table, path, message);
     }
     const bool has_id = plan().form == Form::sentences && !table.find("head");
@@ -185,11 +139,30 @@ class PlanReader {
     std::erase_if(message.name, [](char c) { return c == '$' || c == '!' || c == '-'; });
     message.any_talker =
         message.head.substr(std::min<std::size_t>(1, message.head.size())).starts_with("--");
-    if (has_id) message.head += separator();
+    if (has_id) message.head += separator_of(protocol_);
+  }
+
+  void read_sync(const Node& table, const std::string& path, Message& message) {
+    const Node* sync = table.find("sync");
+    if (!sync) return;
+    const auto bytes = hex_bytes(sync->text);
+    if (!bytes || bytes->empty() || bytes->size() > 16)
+      add(*sync, path + "/sync", "expected 1 to 16 bytes in hexadecimal digits, such as \"FA 49\"");
+    else
+      message.head = *bytes;
+  }
+
+  /// Something has to tell where a frame begins.
+  void check_begin(const Node& table, const std::string& path, const Message& message) {
+    const bool constant = std::ranges::any_of(
+        plan().fields_of(message), [](const Field& field) { return field.type == Type::constant; });
+    if (plan().form == Form::binary && message.head.empty() && !constant && !table.find("sync"))
+      add(table, path, "a frame needs 'sync', or a constant field ('is') that tells what it is");
   }
 
   void read_length(const Node& table, const std::string& path, Message& message) {
     const Node* length = table.find("length");
+    if (!length && plan().stuffing != described::Stuffing::none) return;  // delimiters tell it
     if (!length) return add(table, path, "key 'length' is missing");
     if (length->kind == Node::Kind::integer) {
       message.length.fixed = static_cast<std::uint16_t>(length->integer);
@@ -201,15 +174,10 @@ class PlanReader {
       add(*length, path + "/length", "a length has a type u8, u16, u24 or u32");
     message.length.at = static_cast<std::uint16_t>(length->find("at")->integer);
     message.length.size = field.size;
-    message.length.big_endian = big_endian_;
+    message.length.big_endian = is_big_endian(protocol_);
     if (const Node* order = length->find("order")) message.length.big_endian = order->text == "big";
     if (const Node* plus = length->find("plus"))
       message.length.plus = static_cast<std::uint16_t>(plus->integer);
-  }
-
-  char separator() const {
-    const Node* one = protocol_.find("separator");
-    return one ? one->text[0] : ',';
   }
 
   void read_fields(const Node& table, const std::string& path, Message& message) {
@@ -222,8 +190,8 @@ class PlanReader {
       const FieldContext context{
           plan().form,
           description_.kind,
-          separator(),
-          big_endian_,
+          separator_of(protocol_),
+          is_big_endian(protocol_),
           file_,
           fmt::format("{}/fields/{}", path, i),
           frames_ ? &frames_->frames[plan().messages.size()].message : nullptr,
@@ -264,11 +232,12 @@ class PlanReader {
   }
 
   void note_starts(const Message& message) {
-    const bool any = message.head.empty();
+    const bool any = message.head.empty() || plan().stuffing != described::Stuffing::none;
+    const bool binary = plan().form == Form::binary;
     for (unsigned c = 0; c < 256; ++c)
       plan().starts[c] =
-          plan().starts[c] ||
-          (any ? c > 0x20 && c < 0x7F : c == static_cast<unsigned char>(message.head[0]));
+          plan().starts[c] || (any ? binary || (c > 0x20 && c < 0x7F)
+                                   : c == static_cast<unsigned char>(message.head[0]));
   }
 
   Plan& plan() { return description_.plan; }
@@ -283,7 +252,6 @@ class PlanReader {
   Problems& problems_;
   Description description_;
   std::string path_ = "/protocol";
-  bool big_endian_ = false;
   std::shared_ptr<described::FramePlan> frames_;  ///< of a DBC file
 };
 

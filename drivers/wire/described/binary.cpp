@@ -1,65 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/wire/described/binary_bytes.hpp"
 #include "drivers/wire/described/codec.hpp"
-#include "drivers/wire/text_fields.hpp"
 
 namespace drydock::wire::described {
 namespace {
-
-std::uint64_t load(Bytes bytes, std::size_t at, std::size_t size, bool big_endian) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < size; ++i)
-    value = value << 8 | bytes[at + (big_endian ? i : size - 1 - i)];
-  return value;
-}
-
-void store(std::span<std::uint8_t> out, std::size_t at, std::size_t size, bool big_endian,
-           std::uint64_t value) {
-  for (std::size_t i = 0; i < size; ++i, value >>= 8)
-    out[at + (big_endian ? size - 1 - i : i)] = static_cast<std::uint8_t>(value);
-}
-
-constexpr std::uint64_t mask_of(unsigned bits) {
-  return bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
-}
-
-unsigned bits_of(const Field& field) { return field.bits != 0 ? field.bits : 8u * field.size; }
-
-/// Bytes of a whole frame that begins so. Empty: more bytes must come before that is known.
-std::optional<std::size_t> length_of(const Length& length, Bytes bytes) {
-  if (length.size == 0) return length.fixed;
-  if (bytes.size() < length.at + std::size_t{length.size}) return {};
-  return load(bytes, length.at, length.size, length.big_endian) + length.plus;
-}
-
-/// True if the frame has its checksum and its end.
-bool is_checked(const Plan& plan, Bytes frame) {
-  const std::size_t size = plan.checksum.size();
-  if (frame.size() < plan.tail()) return false;
-  const std::size_t content = frame.size() - plan.tail();
-  if (as_text(frame.last(plan.end.size())) != plan.end) return false;
-  if (size == 0) return true;
-  if (content < plan.checksum_from) return false;
-  const Bytes covered = frame.first(content).subspan(plan.checksum_from);
-  return plan.checksum.of(covered) == load(frame, content, size, plan.checksum_big_endian);
-}
-
-bool has_constant(const Field& field, Bytes bytes) {
-  const std::uint64_t raw = load(bytes, field.at, field.size, field.big_endian);
-  return static_cast<double>(raw >> field.first_bit & mask_of(bits_of(field))) == field.idle;
-}
-
-/// True if the message can still begin with the bytes that came: its head and its constants.
-bool may_begin(const Plan& plan, const Message& message, Bytes bytes) {
-  const std::size_t n = std::min(bytes.size(), message.head.size());
-  for (std::size_t i = 0; i < n; ++i)
-    if (bytes[i] != static_cast<std::uint8_t>(message.head[i])) return false;
-  return std::ranges::none_of(plan.fields_of(message), [&](const Field& field) {
-    const bool came = bytes.size() >= field.at + std::size_t{field.size};
-    return field.type == Type::constant && came && !has_constant(field, bytes);
-  });
-}
 
 std::optional<double> decimal_digits(Bytes digits, bool big_endian) {
   double value = 0;
@@ -97,34 +43,8 @@ std::optional<double> number_of(const Field& field, Bytes frame) {
 
 }  // namespace
 
-Scan scan_binary(const Plan& plan, Bytes bytes) {
-  // The shortest frame with a right checksum counts, so that the split of the stream changes
-  // nothing: a longer one is judged only when no shorter one can still come.
-  std::size_t best = 0, waits_for = 0;
-  bool damaged = false;
-  for (const Message& message : plan.messages) {
-    if (!may_begin(plan, message, bytes)) continue;
-    if (bytes.size() < message.head.size()) return Scan::need_more();
-    const auto length = length_of(message.length, bytes);
-    if (!length) return Scan::need_more();
-    const std::size_t shortest = std::max<std::size_t>(message.head.size() + plan.tail(), 1);
-    if (*length < shortest || *length > plan.longest) continue;
-    if (*length > bytes.size()) {
-      waits_for = std::max(waits_for, *length);
-    } else if (is_checked(plan, bytes.first(*length))) {
-      best = best == 0 ? *length : std::min(best, *length);
-    } else {
-      damaged = true;
-    }
-  }
-  if (best > 0) return Scan::frame(best);
-  if (waits_for > 0) return Scan::need_more(waits_for);
-  return damaged ? Scan::bad_checksum() : Scan::skip(1);
-}
-
 bool decode_binary(const Plan& plan, const Message& message, Bytes frame, Record& record) {
-  const auto length = length_of(message.length, frame);
-  if (!length || *length != frame.size()) return false;
+  if (frame.size() < plan.least() || !has_length(message.length, frame)) return false;
   const auto fields = plan.fields_of(message);
   const std::size_t content = frame.size() - plan.tail();
   for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -198,17 +118,38 @@ void put(const Field& field, double number, std::span<std::uint8_t> out) {
 
 }  // namespace
 
-std::size_t encode_binary(const Plan& plan, const Message& message, const Readings& readings,
-                          std::span<std::uint8_t> out) {
+namespace {
+
+/// Writes the checksums of a whole message. That of the header is first, unless it covers the
+/// other.
+void put_checksums(const Plan& plan, std::span<std::uint8_t> whole) {
+  const std::size_t content = whole.size() - plan.tail();
+  const std::size_t at = plan.checksum_at.value_or(static_cast<std::uint16_t>(content));
+  const auto put_header = [&] {
+    const HeaderChecksum& header = *plan.header;
+    const Bytes covered = Bytes(whole).first(header.to).subspan(header.from);
+    store(whole, header.at, header.checksum.size(), plan.checksum_big_endian,
+          header.checksum.of(covered));
+  };
+  const bool header_is_last = plan.header && at >= plan.header->from && at < plan.header->to;
+  if (plan.header && !header_is_last) put_header();
+  if (plan.checksum.size() != 0)
+    store(whole, at, plan.checksum.size(), plan.checksum_big_endian,
+          plan.checksum.of(Bytes(whole).first(content).subspan(plan.checksum_from)));
+  if (header_is_last) put_header();
+}
+
+std::size_t encode_whole(const Plan& plan, const Message& message, const Readings& readings,
+                         std::span<std::uint8_t> out) {
   const auto fields = plan.fields_of(message);
-  std::size_t content =
-      std::max<std::size_t>(message.head.size(), message.length.at + message.length.size);
+  const std::size_t tail = plan.tail();
+  std::size_t content = std::max({message.head.size(), plan.least() - tail,
+                                  message.length.at + std::size_t{message.length.size}});
   for (const Field& field : fields)
     content = std::max<std::size_t>(content, field.at + std::size_t{field.size});
-  const std::size_t sum = plan.checksum.size(), tail = plan.tail();
-  const std::size_t size = message.length.size == 0 ? message.length.fixed : content + tail;
-  if (size > out.size() || size < std::max<std::size_t>(content, plan.checksum_from) + tail)
-    return 0;
+  const bool fixed = message.length.size == 0 && !message.length.is_any();
+  const std::size_t size = fixed ? message.length.fixed : content + tail;
+  if (size > out.size() || size < content + tail) return 0;
   std::fill_n(out.begin(), size, std::uint8_t{0});
   std::ranges::copy(message.head, out.begin());
   const Length& length = message.length;
@@ -219,10 +160,19 @@ std::size_t encode_binary(const Plan& plan, const Message& message, const Readin
     if (!number && !real && !says_nothing_holds(fields, readings)) return 0;
     put(field, number.value_or(real ? std::nan("") : field.idle), out);
   }
-  const Bytes covered = Bytes(out).first(size - tail).subspan(plan.checksum_from);
-  store(out, size - tail, sum, plan.checksum_big_endian, plan.checksum.of(covered));
+  put_checksums(plan, out.first(size));
   std::ranges::copy(plan.end, out.begin() + static_cast<std::ptrdiff_t>(size - plan.end.size()));
   return size;
+}
+
+}  // namespace
+
+std::size_t encode_binary(const Plan& plan, const Message& message, const Readings& readings,
+                          std::span<std::uint8_t> out) {
+  if (plan.stuffing == Stuffing::none) return encode_whole(plan, message, readings, out);
+  Packet packet(longest_frame, boost::container::default_init);
+  packet.resize(encode_whole(plan, message, readings, packet));
+  return packet.empty() ? 0 : stuff(plan.stuffing, packet, out);
 }
 
 }  // namespace drydock::wire::described

@@ -32,6 +32,11 @@ Scan scan(const Plan& plan, Bytes bytes) {
 }
 
 Decoded decode(const Plan& plan, Bytes frame, Record& record) {
+  if (plan.stuffing != Stuffing::none) {
+    Packet packet;
+    return unstuff(plan.stuffing, frame, packet) ? decode_frames(plan, packet, record)
+                                                 : Decoded::misfit;
+  }
   return plan.form == Form::binary ? decode_frames(plan, frame, record)
                                    : decode_texts(plan, frame, record);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <boost/container/static_vector.hpp>
 #include <cstdint>
@@ -11,13 +12,14 @@
 #include "drivers/wire/described/checksums.hpp"
 #include "drivers/wire/described/flat_texts.hpp"
 #include "drivers/wire/described/line_pattern.hpp"
+#include "drivers/wire/described/stuffing.hpp"
 #include "drivers/wire/described/targets.hpp"
 
 /// A protocol that a file describes, as the codec runs it: flat lists of messages and of their
 /// fields. rig_config/device_description reads the file and proves what the codec relies on.
 namespace drydock::wire::described {
 
-inline constexpr std::size_t longest_frame = 8192, most_fields = 32, most_messages = 64;
+inline constexpr std::size_t most_fields = 32, most_messages = 64;
 
 enum class Form : std::uint8_t { sentences, binary, lines, frames };
 
@@ -66,13 +68,25 @@ struct Field {
   double idle = 0;  ///< number that an emulated device sends without target
 };
 
-/// The length of a binary frame: fixed, or a field of it plus a constant.
+/// The length of a binary frame: fixed, a field of it plus a constant, or any, where delimiters
+/// tell it.
 struct Length {
   std::uint16_t fixed = 0;
   std::uint16_t at = 0;
   std::uint8_t size = 0;  ///< bytes of the field; 0: fixed
   bool big_endian = false;
   std::uint16_t plus = 0;
+
+  bool is_any() const { return size == 0 && fixed == 0; }
+};
+
+/// A checksum of the header alone, of its bytes from `from` to before `to`: a length that is
+/// damaged is seen before the message that it promises.
+struct HeaderChecksum {
+  Checksum checksum;
+  std::uint16_t at = 0, from = 0, to = 0;
+
+  std::size_t end() const { return std::max<std::size_t>(to, at + checksum.size()); }
 };
 
 /// A character of a talker, the two behind the first of a sentence: $GPHDG.
@@ -97,11 +111,14 @@ struct Message {
 struct Plan {
   Form form = Form::sentences;
   Checksum checksum;
-  bool checksum_optional = false;    ///< sentences: a line without '*' counts too
-  bool decimal_comma = false;        ///< texts: 12,5 is twelve and a half
-  bool checksum_big_endian = false;  ///< binary
-  std::uint16_t checksum_from = 0;   ///< first byte that it covers
-  std::string end;                   ///< binary: bytes behind the checksum, the last of a frame
+  bool checksum_optional = false;            ///< sentences: a line without '*' counts too
+  bool decimal_comma = false;                ///< texts: 12,5 is twelve and a half
+  bool checksum_big_endian = false;          ///< binary
+  std::uint16_t checksum_from = 0;           ///< first byte that it covers
+  std::optional<std::uint16_t> checksum_at;  ///< binary: its first byte; empty: behind the fields
+  std::optional<HeaderChecksum> header;      ///< binary
+  Stuffing stuffing = Stuffing::none;        ///< binary
+  std::string end;  ///< binary: bytes behind the checksum, the last of a frame
   std::size_t longest = longest_frame;
   std::array<bool, 256> starts{};  ///< bytes with which a message can begin
   std::vector<Message> messages;
@@ -112,7 +129,13 @@ struct Plan {
   std::size_t checksum_digits() const { return 2 * checksum.size(); }
 
   /// Binary: bytes of a frame behind its fields.
-  std::size_t tail() const { return checksum.size() + end.size(); }
+  std::size_t tail() const { return (checksum_at ? 0 : checksum.size()) + end.size(); }
+
+  /// Binary: bytes that every frame has: its checksums and what is in front of what they cover.
+  std::size_t least() const {
+    const std::size_t sum = checksum_at ? *checksum_at + checksum.size() : 0;
+    return std::max<std::size_t>({checksum_from, sum, header ? header->end() : 0}) + tail();
+  }
 
   std::span<const Field> fields_of(const Message& message) const {
     return std::span(fields).subspan(message.first_field, message.fields);
