@@ -20,11 +20,6 @@ bool is_speed(const Vector3d& v) {
   return v.allFinite() && v.cwiseAbs().maxCoeff() <= DeadReckoningEstimator::max_speed_mps;
 }
 
-/// True for a device that the estimator has, and whose sample this is.
-bool is_from(const std::optional<ReckoningDevice>& device, const measurement::Origin& origin) {
-  return device && device->index == origin.device;
-}
-
 /// The mean of a velocity that goes from one to the other in `dt`, while the vehicle turns evenly
 /// by `turn_rad`: Simpson's rule, whose middle is the mean of both in the vehicle's axes there. A
 /// line between the ends alone would cut the curve short.
@@ -32,10 +27,6 @@ Vector2d mean_over_turn(const Vector2d& from, const Vector2d& to, double turn_ra
   const Eigen::Rotation2Dd half(turn_rad / 2);
   const Vector2d middle = (half * from + half.inverse() * to) / 2;
   return (from + 4 * middle + to) / 6;
-}
-
-void take_angle(const std::optional<double>& told, double& angle) {
-  if (told && std::isfinite(*told)) angle = *told;
 }
 
 }  // namespace
@@ -73,11 +64,13 @@ DeadReckoningEstimator::DeadReckoningEstimator(Seat seat, const ReckoningOptions
 
 Outcome DeadReckoningEstimator::take(const measurement::BottomVelocity& track,
                                      EstimateListener& listener) {
-  if (!is_from(options_.dvl, track.origin)) return Outcome::unused;
-  note_attitude(track);
+  if (!is_of(options_.dvl, track.origin)) return Outcome::unused;
   const Stamp at = track.origin.valid_at;
+  if (!begun_at_) begun_at_ = at;
+  note_attitude(track);
   if (!track.velocity || !knows_heading(at)) return Outcome::unused;
   if (!is_speed(*track.velocity)) return Outcome::refused;
+  turn_to(at);
   const Speed speed{at, frame::body_to_ned(attitude_) * *track.velocity, attitude_.yaw,
                     SpeedOver::ground};
   const Outcome outcome = go_on(speed, listener);
@@ -91,12 +84,17 @@ Outcome DeadReckoningEstimator::take(const measurement::BottomVelocity& track,
 
 Outcome DeadReckoningEstimator::take(const measurement::WaterSpeed& water,
                                      EstimateListener& listener) {
-  if (!is_from(options_.log, water.origin) || !water.longitudinal_mps) return Outcome::unused;
+  if (!is_of(options_.log, water.origin) || !water.longitudinal_mps) return Outcome::unused;
   const Stamp at = water.origin.valid_at;
-  const Vector3d body{*water.longitudinal_mps, water.transverse_mps.value_or(0), 0};
+  if (!begun_at_) begun_at_ = at;
+  // A log that tells no speed across: the origin has none, and the log swings around it.
+  const Vector3d body{*water.longitudinal_mps,
+                      water.transverse_mps.value_or(turn_radps_ * options_.log->lever.x()), 0};
   if (!is_speed(body)) return Outcome::refused;
   if (!knows_heading(at)) return Outcome::unused;
-  const Speed speed{at, frame::body_to_ned(attitude_) * body, attitude_.yaw, SpeedOver::water};
+  turn_to(at);
+  const Vector3d ned = frame::body_to_ned(attitude_) * body - rotation_at_log();
+  const Speed speed{at, ned, attitude_.yaw, SpeedOver::water};
   if (!ground_at_ || !is_recent(*ground_at_, at)) {
     const Outcome outcome = go_on(speed, listener);
     if (outcome == Outcome::accepted) note_fed_by(options_.log);
@@ -105,88 +103,6 @@ Outcome DeadReckoningEstimator::take(const measurement::WaterSpeed& water,
   if (std::chrono::abs(at - *ground_at_) > max_age_) return Outcome::unused;
   filter_.compare(last_ground_.head<2>(), speed.ned.head<2>());
   note_fed_by(options_.log);
-  return Outcome::accepted;
-}
-
-/// The DVL's own compass and tilt sensors count only where no other ones tell the same. They are
-/// those of its head.
-void DeadReckoningEstimator::note_attitude(const measurement::BottomVelocity& track) {
-  frame::Euler head;
-  if (track.roll_rad && track.pitch_rad) {
-    take_angle(track.roll_rad, head.roll);
-    take_angle(track.pitch_rad, head.pitch);
-  }
-  const bool own_heading =
-      !options_.heading && track.heading_rad && std::isfinite(*track.heading_rad);
-  if (own_heading) head.yaw = *track.heading_rad + options_.variation_rad;
-  // The rows of these matrices are the axes of head and body in NED.
-  const auto body =
-      frame::euler(Eigen::Matrix3d(options_.dvl->sensor_to_body * frame::ned_to_body(head)));
-  if (!tilt_told_) {
-    attitude_.roll = body.roll;
-    attitude_.pitch = body.pitch;
-  }
-  if (!own_heading) return;
-  attitude_.yaw = body.yaw;
-  heading_at_ = track.origin.valid_at;
-}
-
-Outcome DeadReckoningEstimator::take(const measurement::AttitudeSample& sample, EstimateListener&) {
-  if (!is_from(options_.heading, sample.origin)) return Outcome::unused;
-  take_angle(sample.roll_rad, attitude_.roll);
-  take_angle(sample.pitch_rad, attitude_.pitch);
-  tilt_told_ |= sample.roll_rad && sample.pitch_rad;
-  const auto magnetic = sample.heading_rad;
-  if (!sample.true_heading_rad && !magnetic) {
-    return sample.roll_rad || sample.pitch_rad ? Outcome::accepted : Outcome::unused;
-  }
-  const double heading =
-      sample.true_heading_rad ? *sample.true_heading_rad : *magnetic + options_.variation_rad;
-  if (!std::isfinite(heading)) return Outcome::refused;
-  attitude_.yaw = frame::wrap_pi(heading);
-  heading_at_ = sample.origin.valid_at;
-  note_fed_by(options_.heading);
-  return Outcome::accepted;
-}
-
-Outcome DeadReckoningEstimator::take(const measurement::DepthSample& sample, EstimateListener&) {
-  if (!is_from(options_.depth, sample.origin) || !sample.depth_m) return Outcome::unused;
-  if (!std::isfinite(*sample.depth_m)) return Outcome::refused;
-  depth_m_ = *sample.depth_m;
-  depth_at_ = sample.origin.valid_at;
-  note_fed_by(options_.depth);
-  return Outcome::accepted;
-}
-
-Outcome DeadReckoningEstimator::take(const measurement::GnssFix& fix, EstimateListener& listener) {
-  if (!is_from(options_.gnss, fix.origin) || !fix.position) return Outcome::unused;
-  const double sigma = fix.horizontal_accuracy_m.value_or(options_.fix_sigma_m);
-  const frame::Position antenna{fix.position->latitude_rad, fix.position->longitude_rad,
-                                position_ ? position_->height_m : options_.sea_level_m};
-  if (!(sigma > 0) || !std::isfinite(antenna.latitude_rad + antenna.longitude_rad))
-    return Outcome::refused;
-  const frame::Position origin = frame::at_ned_offset(antenna, -arm(options_.gnss));
-  note_fed_by(options_.gnss);
-  if (!position_) {
-    options_.errors.position_m = sigma;
-    filter_ = ReckoningFilter(options_.errors);
-    start_at(origin);
-    return Outcome::accepted;
-  }
-  const double age_s = last_ ? seconds(fix.origin.valid_at - last_->valid_at) : 0;
-  if (age_s < -options_.gap_s) return Outcome::late;
-  const auto& place = options_.dvl ? options_.dvl : options_.log;
-  Vector2d offset =
-      frame::ned_offset(*position_, frame::at_ned_offset(origin, arm(place))).head<2>();
-  if (last_) offset -= age_s * filter_.over_ground(last_->ned.head<2>(), last_->over);
-  // The vehicle may have changed its speed since the last one.
-  const double wandered = options_.errors.wander * std::sqrt(std::pow(std::abs(age_s), 3) / 3);
-  const auto rows = filter_.fix(offset, std::hypot(sigma, wandered));
-  for (const auto& row : rows) status_.taken.add(row.normalised_square());
-  const double height_m = position_->height_m;
-  position_ = frame::at_ned_offset(*position_, {offset.x(), offset.y(), 0});
-  position_->height_m = height_m;
-  listener.on_innovation({fix.origin.valid_at, index_, fix.origin.device, rows});
   return Outcome::accepted;
 }
 
@@ -207,7 +123,7 @@ Outcome DeadReckoningEstimator::go_on(const Speed& speed, EstimateListener& list
     last_.reset();
   }
   far_behind_ = 0;
-  if (!position_ && options_.start) start_at(*options_.start);
+  if (!position_ && (options_.start || fixed_)) begin(speed);
   if (!position_) return Outcome::unused;
   if (last_) move(speed, seconds(speed.valid_at - last_->valid_at));
   last_ = speed;
@@ -217,10 +133,32 @@ Outcome DeadReckoningEstimator::go_on(const Speed& speed, EstimateListener& list
   return Outcome::accepted;
 }
 
-void DeadReckoningEstimator::start_at(const frame::Position& origin) {
-  const auto& place = options_.dvl ? options_.dvl : options_.log;
-  position_ = frame::at_ned_offset(origin, arm(place));
-  down_variance_ = options_.depth_sigma_m * options_.depth_sigma_m;
+/// A position of an earlier time is carried to the first speed by that speed. A start that was
+/// given is of the first measurement's time; when that is long ago, nobody knows.
+void DeadReckoningEstimator::begin(const Speed& first) {
+  const frame::Position origin =
+      fixed_ ? frame::at_ned_offset(fixed_->antenna, -arm(options_.gnss)) : *options_.start;
+  position_ = frame::at_ned_offset(origin, arm(place()));
+  const double sigma = options_.depth_sigma_m;
+  down_variance_ = sigma * sigma;
+  const double dt = seconds(first.valid_at - (fixed_ ? fixed_->valid_at : *begun_at_));
+  if (dt > 0 && (fixed_ || dt <= options_.gap_s)) {
+    const Vector2d way = filter_.move_before(first.ned.head<2>(), dt, first.over);
+    position_ = frame::at_ned_offset(*position_, {way.x(), way.y(), dt * first.ned.z()});
+    const double wander = options_.errors.wander;
+    down_variance_ += wander * wander * std::pow(dt, 3) / 3;
+  }
+  follow_depth(first.valid_at);
+}
+
+/// The place whose speed is known: the track is its way.
+const std::optional<ReckoningDevice>& DeadReckoningEstimator::place() const {
+  return options_.dvl ? options_.dvl : options_.log;
+}
+
+/// How much faster the log goes than the place, because the vehicle turns.
+Vector3d DeadReckoningEstimator::rotation_at_log() const {
+  return Vector3d(0, 0, turn_radps_).cross(arm(options_.log) - arm(place()));
 }
 
 Vector3d DeadReckoningEstimator::arm(const std::optional<ReckoningDevice>& device) const {
@@ -230,10 +168,8 @@ Vector3d DeadReckoningEstimator::arm(const std::optional<ReckoningDevice>& devic
 void DeadReckoningEstimator::move(const Speed& speed, double dt) {
   if (dt > options_.gap_s) note_gap(dt);
   Vector2d from = last_->ned.head<2>();
-  if (last_->over != speed.over) {
-    const Vector2d ground = filter_.over_ground(from, last_->over);
-    from = speed.over == SpeedOver::ground ? ground : Vector2d(ground - filter_.current());
-  }
+  if (last_->over != speed.over)
+    from = filter_.as_measured(filter_.over_ground(from, last_->over), speed.over);
   // Over a gap the vehicle may have turned anywhere: the way is then a line.
   const double turn =
       dt > options_.gap_s ? 0 : frame::wrap_pi(speed.heading_rad - last_->heading_rad);
@@ -245,9 +181,12 @@ void DeadReckoningEstimator::move(const Speed& speed, double dt) {
   const double sigma = std::sqrt(down_variance_) + tilted;
   const double wandered = options_.errors.wander * std::sqrt(std::pow(dt, 3) / 12);
   down_variance_ = sigma * sigma + wandered * wandered;
-  if (!depth_at_ || !is_recent(*depth_at_, speed.valid_at)) return;
-  const auto& place = options_.dvl ? options_.dvl : options_.log;
-  const double below_m = arm(place).z() - arm(options_.depth).z();
+  follow_depth(speed.valid_at);
+}
+
+void DeadReckoningEstimator::follow_depth(Stamp at) {
+  if (!depth_at_ || !is_recent(*depth_at_, at)) return;
+  const double below_m = arm(place()).z() - arm(options_.depth).z();
   position_->height_m = options_.sea_level_m - depth_m_ - below_m;
   down_variance_ = options_.depth_sigma_m * options_.depth_sigma_m;
 }
@@ -256,58 +195,6 @@ void DeadReckoningEstimator::note_gap(double dt) {
   ++status_.bridged;
   status_.bridged_s += dt;
   status_.longest_bridged_s = std::max(status_.longest_bridged_s, dt);
-}
-
-NavigationEstimate DeadReckoningEstimator::estimate() const {
-  NavigationEstimate estimate;
-  estimate.valid_at = last_->valid_at;
-  estimate.estimator = index_;
-  const auto& place = options_.dvl ? options_.dvl : options_.log;
-  estimate.position = frame::at_ned_offset(*position_, -arm(place));
-  const Vector2d measured = last_->ned.head<2>();
-  const Vector2d ground = filter_.over_ground(measured, last_->over);
-  estimate.velocity_ned = {ground.x(), ground.y(), last_->ned.z()};
-  frame::Euler corrected = attitude_;
-  corrected.yaw = frame::wrap_pi(attitude_.yaw + filter_.heading_error());
-  estimate.body_to_ned = frame::body_to_ned(corrected);
-  const auto& covariance = filter_.covariance();
-  const double tilt = options_.tilt_sigma_rad * options_.tilt_sigma_rad;
-  const double speed_noise = options_.errors.velocity_mps * options_.errors.velocity_mps;
-  auto& p = estimate.covariance;
-  p.topLeftCorner<2, 2>() = covariance.topLeftCorner<2, 2>();
-  p(2, 2) = down_variance_;
-  p.block<2, 2>(3, 3) = filter_.velocity_covariance(measured, last_->over);
-  p(5, 5) = speed_noise + tilt * ground.squaredNorm();
-  p(6, 6) = p(7, 7) = tilt;
-  p(8, 8) = covariance(2, 2);
-  if (options_.log) {
-    estimate.current =
-        CurrentEstimate{filter_.current(), covariance.diagonal().tail<2>().cwiseMax(0).cwiseSqrt()};
-  }
-  estimate.fed_by = fed_by_;
-  estimate.integrity = integrity_of(estimate);
-  return estimate;
-}
-
-Integrity DeadReckoningEstimator::integrity_of(const NavigationEstimate& estimate) const {
-  const auto& p = estimate.covariance;
-  Integrity integrity;
-  integrity.roll_bound_rad = integrity.pitch_bound_rad = bound_of(p(6, 6));
-  integrity.heading_bound_rad = bound_of(p(8, 8));
-  integrity.horizontal_bound_m = bound_of(std::max(p(0, 0), p(1, 1)));
-  // The comparison is false for NaN too.
-  integrity.valid = *integrity.heading_bound_rad <= alert_.attitude_rad &&
-                    bound_of(std::max(p(3, 3), p(4, 4))) <= alert_.velocity_mps;
-  return integrity;
-}
-
-void DeadReckoningEstimator::emit(EstimateListener& listener) {
-  const NavigationEstimate told = estimate();
-  ++status_.estimates;
-  status_.last_estimate = told.valid_at;
-  status_.valid = told.integrity.valid;
-  status_.valid_estimates += status_.valid ? 1 : 0;
-  listener.on_navigation(told);
 }
 
 void DeadReckoningEstimator::note_fed_by(const std::optional<ReckoningDevice>& device) {

@@ -30,6 +30,12 @@ class DeadReckoningEstimator final : public Estimator {
   const EstimatorStatus& status() const override { return status_; }
 
  private:
+  /// True for a device that the estimator has, and whose sample this is.
+  static bool is_of(const std::optional<ReckoningDevice>& device,
+                    const measurement::Origin& origin) {
+    return device && device->index == origin.device;
+  }
+
   /// A speed at one instant, as measured, in NED, and the heading that turned it there.
   struct Speed {
     Stamp valid_at{};
@@ -38,13 +44,24 @@ class DeadReckoningEstimator final : public Estimator {
     SpeedOver over = SpeedOver::ground;
   };
 
+  /// Where the antenna was before the first speed came.
+  struct Start {
+    frame::Position antenna;
+    Stamp valid_at{};
+  };
+
   void note_attitude(const measurement::BottomVelocity& track);
   bool knows_heading(Stamp at) const;
   bool is_recent(Stamp then, Stamp at) const;
   Outcome go_on(const Speed& speed, EstimateListener& listener);
   void move(const Speed& speed, double dt);
   void note_gap(double dt);
-  void start_at(const frame::Position& origin);
+  void begin(const Speed& first);
+  void follow_depth(Stamp at);
+  void note_heading(double heading_rad, Stamp at);
+  void turn_to(Stamp at);
+  const std::optional<ReckoningDevice>& place() const;
+  Eigen::Vector3d rotation_at_log() const;
   Eigen::Vector3d arm(const std::optional<ReckoningDevice>& device) const;
   void emit(EstimateListener& listener);
   NavigationEstimate estimate() const;
@@ -56,10 +73,14 @@ class DeadReckoningEstimator final : public Estimator {
   std::chrono::nanoseconds gap_, max_age_;
   AlertLimits alert_;
   ReckoningFilter filter_;
-  frame::Euler attitude_;   ///< of the body; the heading is true
+  frame::Euler attitude_;   ///< of the body at the last speed; the heading is true
+  double heading_rad_ = 0;  ///< the newest, of heading_at_
   bool tilt_told_ = false;  ///< by the device of `heading`
+  double turn_radps_ = 0;   ///< of the heading, over the last second or so
   std::optional<Stamp> heading_at_, ground_at_, depth_at_;
-  double depth_m_ = 0;                       ///< of the depth sensor
+  std::optional<Stamp> begun_at_;  ///< the first measurement: a given start is of this time
+  std::optional<Start> fixed_;     ///< the newest fix before the first speed
+  double depth_m_ = 0;             ///< of the depth sensor
   std::optional<frame::Position> position_;  ///< of the place whose speed is known
   double down_variance_ = 0;
   std::optional<Speed> last_;

@@ -24,38 +24,58 @@ ReckoningFilter::ReckoningFilter(const ReckoningErrors& errors) : sigmas_(errors
 }
 
 Vector2d ReckoningFilter::over_ground(const Vector2d& measured, SpeedOver over) const {
-  const Vector2d turned = Eigen::Rotation2Dd(errors_(2)) * measured;
-  return over == SpeedOver::ground ? Vector2d((1 + errors_(3)) * turned)
-                                   : Vector2d(turned + errors_.tail<2>());
+  const Eigen::Rotation2Dd turn(errors_(2));
+  return over == SpeedOver::ground ? Vector2d((1 + errors_(3)) * (turn * measured))
+                                   : Vector2d(turn * (measured + errors_.tail<2>()));
+}
+
+Vector2d ReckoningFilter::as_measured(const Vector2d& ground, SpeedOver over) const {
+  const Vector2d turned = Eigen::Rotation2Dd(-errors_(2)) * ground;
+  return over == SpeedOver::ground ? Vector2d(turned / (1 + errors_(3)))
+                                   : Vector2d(turned - errors_.tail<2>());
 }
 
 Eigen::Matrix<double, 2, 6> ReckoningFilter::sensitivity(const Vector2d& measured,
                                                          SpeedOver over) const {
   const Vector2d v = over_ground(measured, over);
   Eigen::Matrix<double, 2, 6> by_error = Eigen::Matrix<double, 2, 6>::Zero();
-  if (over == SpeedOver::ground) {
-    by_error.col(2) = across(v);
-    by_error.col(3) = v;
-  } else {
-    by_error.col(2) = across(v - errors_.tail<2>());
-    by_error.rightCols<2>().setIdentity();
-  }
+  by_error.col(2) = across(v);
+  if (over == SpeedOver::ground)
+    by_error.col(3) = v / (1 + errors_(3));
+  else
+    by_error.rightCols<2>() = Eigen::Rotation2Dd(errors_(2)).matrix();
   return by_error;
+}
+
+Vector2d ReckoningFilter::current() const {
+  return Eigen::Rotation2Dd(errors_(2)) * errors_.tail<2>();
+}
+
+Vector2d ReckoningFilter::current_sigma() const {
+  const auto by_error = sensitivity(Vector2d::Zero(), SpeedOver::water);
+  return (by_error * covariance_ * by_error.transpose()).diagonal().cwiseMax(0).cwiseSqrt();
 }
 
 double ReckoningFilter::noise_mps(SpeedOver over) const {
   return over == SpeedOver::ground ? sigmas_.velocity_mps : sigmas_.water_speed_mps;
 }
 
+// Each speed counts for half of the intervals on both sides. Between two known speeds the speed
+// wanders as a Brownian bridge, whose integral has the variance q T^3 / 12.
 Vector2d ReckoningFilter::move(const Vector2d& mean, double dt, SpeedOver over) {
+  return way(mean, dt, over, square(sigmas_.wander) * std::pow(dt, 3) / 12);
+}
+
+// Brownian motion that ends at a known speed: the variance of its integral is q T^3 / 3.
+Vector2d ReckoningFilter::move_before(const Vector2d& first, double dt, SpeedOver over) {
+  return way(first, dt, over, square(sigmas_.wander) * std::pow(dt, 3) / 3);
+}
+
+Vector2d ReckoningFilter::way(const Vector2d& mean, double dt, SpeedOver over, double wandered) {
   Matrix6 transition = Matrix6::Identity();
   transition.topRows<2>() += dt * sensitivity(mean, over);
   covariance_ = transition * covariance_ * transition.transpose();
-  // Each speed counts for half of the intervals on both sides. Between two known speeds the speed
-  // wanders as a Brownian bridge, whose integral has the variance q T^3 / 12.
-  const double variance =
-      square(noise_mps(over) * dt) + square(sigmas_.wander) * std::pow(dt, 3) / 12;
-  covariance_.diagonal().head<2>().array() += variance;
+  covariance_.diagonal().head<2>().array() += square(noise_mps(over) * dt) + wandered;
   return dt * over_ground(mean, over);
 }
 
@@ -65,16 +85,13 @@ Matrix2d ReckoningFilter::velocity_covariance(const Vector2d& measured, SpeedOve
          square(noise_mps(over)) * Matrix2d::Identity();
 }
 
+// The heading has no part in it: both speeds are turned by the same one, and so is the current.
 void ReckoningFilter::compare(const Vector2d& ground, const Vector2d& water) {
-  const Vector2d difference =
-      over_ground(ground, SpeedOver::ground) - over_ground(water, SpeedOver::water);
-  const Eigen::Matrix<double, 2, 6> by_error =
-      sensitivity(water, SpeedOver::water) - sensitivity(ground, SpeedOver::ground);
   const double variance = square(sigmas_.velocity_mps) + square(sigmas_.water_speed_mps);
-  const Vector6 before = errors_;
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
-    const Row h = by_error.row(axis);
-    update(h, difference(axis) - (h * (errors_ - before)).value(), variance);
+    Row h = Row::Unit(4 + axis);
+    h(3) = -ground(axis);
+    update(h, ground(axis) - water(axis) - (h * errors_).value(), variance);
   }
 }
 

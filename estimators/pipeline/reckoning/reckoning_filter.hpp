@@ -21,7 +21,8 @@ struct ReckoningErrors {
 enum class SpeedOver : std::uint8_t { ground, water };
 
 /// The errors of a horizontal track that is the sum of speed times time: north, east (m), heading
-/// (rad), scale, current north, east (m/s), and their covariance. docs/estimators/dead-reckoning.md
+/// (rad), scale, current (m/s) along the north and the east that the measured heading shows, and
+/// their covariance. docs/estimators/dead-reckoning.md
 class ReckoningFilter {
  public:
   using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -32,17 +33,24 @@ class ReckoningFilter {
   /// The velocity over ground, north and east, that a measured one means with the errors known so
   /// far.
   Eigen::Vector2d over_ground(const Eigen::Vector2d& measured, SpeedOver over) const;
+  /// The measured velocity that means this one over ground.
+  Eigen::Vector2d as_measured(const Eigen::Vector2d& ground, SpeedOver over) const;
   /// The vehicle moved for `dt` with this mean velocity (as measured). Returns the way, north and
   /// east, m. Eqs. (1) to (3).
   Eigen::Vector2d move(const Eigen::Vector2d& mean, double dt, SpeedOver over);
+  /// The vehicle moved for `dt` before it had this velocity, its first one. Returns the way.
+  Eigen::Vector2d move_before(const Eigen::Vector2d& first, double dt, SpeedOver over);
   /// The same instant's speed over ground and through the water, as measured: shows the current.
+  /// Eq. (4).
   void compare(const Eigen::Vector2d& ground, const Eigen::Vector2d& water);
   /// A position that lies at `offset` of the track's, north and east, m. Returns the innovations;
   /// takes the offset's used part out of `offset`, so that it is the step of the position.
   navigation::Innovations fix(Eigen::Vector2d& offset, double sigma_m);
 
   const Matrix6& covariance() const { return covariance_; }
-  Eigen::Vector2d current() const { return errors_.tail<2>(); }
+  /// North and east, m/s.
+  Eigen::Vector2d current() const;
+  Eigen::Vector2d current_sigma() const;
   double heading_error() const { return errors_(2); }
   /// m2/s2 of a velocity over ground that is measured now.
   Eigen::Matrix2d velocity_covariance(const Eigen::Vector2d& measured, SpeedOver over) const;
@@ -51,6 +59,7 @@ class ReckoningFilter {
   using Row = Eigen::Matrix<double, 1, 6>;
   /// How the velocity over ground changes with each error.
   Eigen::Matrix<double, 2, 6> sensitivity(const Eigen::Vector2d& measured, SpeedOver over) const;
+  Eigen::Vector2d way(const Eigen::Vector2d& mean, double dt, SpeedOver over, double wandered);
   double noise_mps(SpeedOver over) const;
   navigation::Innovation update(const Row& h, double innovation, double variance);
 
