@@ -42,6 +42,13 @@ struct Relations {
         fmt::format("two fields of this message are called \"{}\"; give one a 'name'", key));
   }
 
+  void check_blanks() {
+    const bool between = fields[i].end == ' ' || (i > 0 && fields[i - 1].end == ' ');
+    const bool constant = fields[i].type == described::Type::constant;
+    if (between && constant && fields[i].text.empty())
+      add(table, path, "a run of blanks is one separator, so no field between blanks is empty");
+  }
+
   void check_optional() {
     if (i > 0 && fields[i - 1].optional && !fields[i].optional)
       add(table, path, "fields behind an optional one must be optional too");
@@ -56,7 +63,9 @@ void relate_fields(std::span<const Node> tables, bool in_order, std::vector<Fiel
     Relations one{file, fmt::format("{}/fields/{}", path, i), tables[i], fields, i, problems};
     one.find_divisor();
     one.check_key();
-    if (in_order) one.check_optional();
+    if (!in_order) continue;
+    one.check_optional();
+    one.check_blanks();
   }
 }
 

@@ -39,7 +39,7 @@ class FrameMessages {
   void refuse_keys_of_bytes() {
     for (const char* key :
          {"checksum", "checksum_from", "checksum_order", "checksum_optional", "order", "separator",
-          "longest", "end", "checksum_at", "header_checksum", "stuffing"})
+          "longest", "end", "checksum_at", "checksum_extra", "header_checksum", "stuffing"})
       if (const Node* one = protocol_.find(key))
         add(*one, std::string("/protocol/") + key, "only for bytes: the DBC file describes frames");
     for (const char* key : {"start", "poll"})

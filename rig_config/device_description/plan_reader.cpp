@@ -8,6 +8,7 @@
 #include "rig_config/device_description/field_relations.hpp"
 #include "rig_config/device_description/frame_messages.hpp"
 #include "rig_config/device_description/frame_reader.hpp"
+#include "rig_config/device_description/message_head.hpp"
 #include "rig_config/device_description/pattern_reader.hpp"
 #include "rig_config/device_description/protocol_keys.hpp"
 #include "rig_config/device_description/requests.hpp"
@@ -96,6 +97,7 @@ class PlanReader {
     const bool can_be_written = !table.find("pattern") || table.find("emulate");
     message.emulated = emulated && message.publishes && can_be_written;
     read_same_as(table, path, message);
+    if (plan().form != Form::frames) read_sample(table, path, message);
     plan().messages.push_back(std::move(message));
   }
 
@@ -108,6 +110,21 @@ class PlanReader {
       return add(*other, path + "/same_as",
                  fmt::format("no message above is called \"{}\"", other->text));
     message.same_as = static_cast<std::uint16_t>(found - above.begin());
+  }
+
+  /// A message follows the last one above it that has its sample.
+  void read_sample(const Node& table, const std::string& path, Message& message) {
+    const Node* sample = table.find("sample");
+    samples_.push_back(sample ? sample->text : "");
+    if (!sample) return;
+    if (message.same_as)
+      add(*sample, path + "/sample", "a message with 'same_as' is a sample of its own");
+    for (std::size_t i = plan().messages.size(); i-- > 0;) {
+      if (samples_[i] != sample->text) continue;
+      message.follows = static_cast<std::uint16_t>(i);
+      plan().messages[i].leads = true;
+      return;
+    }
   }
 
   void check_name(const Node& table, const std::string& path, const Message& message) {
@@ -125,31 +142,9 @@ class PlanReader {
       return;
     }
     if (plan().form == Form::binary) {
-      read_sync(table, path, message);
-      return read_length(table, path, message);
+      return read_binary_head(protocol_, table, plan(), message, file_, path, problems_);
     }
-    const bool has_id = plan().form == Form::sentences && !table.find("head");
-    if (has_id && !table.find("id"))
-      add(table, path, "a sentence needs 'id', or 'head' if no separator is behind it");
-    if (const Node* id = table.find("id"); id && !has_id)
-      add(*id, path + "/id", "a sentence has 'id' or 'head', not both");
-    read(table, has_id ? "id" : "head", message.head);
-    message.name = message.head;
-    if (plan().form == Form::lines) return;
-    std::erase_if(message.name, [](char c) { return c == '$' || c == '!' || c == '-'; });
-    message.any_talker =
-        message.head.substr(std::min<std::size_t>(1, message.head.size())).starts_with("--");
-    if (has_id) message.head += separator_of(protocol_);
-  }
-
-  void read_sync(const Node& table, const std::string& path, Message& message) {
-    const Node* sync = table.find("sync");
-    if (!sync) return;
-    const auto bytes = hex_bytes(sync->text);
-    if (!bytes || bytes->empty() || bytes->size() > 16)
-      add(*sync, path + "/sync", "expected 1 to 16 bytes in hexadecimal digits, such as \"FA 49\"");
-    else
-      message.head = *bytes;
+    read_text_head(protocol_, table, plan(), message, file_, path, problems_);
   }
 
   /// Something has to tell where a frame begins.
@@ -158,26 +153,6 @@ class PlanReader {
         plan().fields_of(message), [](const Field& field) { return field.type == Type::constant; });
     if (plan().form == Form::binary && message.head.empty() && !constant && !table.find("sync"))
       add(table, path, "a frame needs 'sync', or a constant field ('is') that tells what it is");
-  }
-
-  void read_length(const Node& table, const std::string& path, Message& message) {
-    const Node* length = table.find("length");
-    if (!length && plan().stuffing != described::Stuffing::none) return;  // delimiters tell it
-    if (!length) return add(table, path, "key 'length' is missing");
-    if (length->kind == Node::Kind::integer) {
-      message.length.fixed = static_cast<std::uint16_t>(length->integer);
-      return;
-    }
-    Field field;
-    if (!read_binary_type(length->find("type")->text, field) ||
-        field.type != Type::unsigned_integer || field.size > 4)
-      add(*length, path + "/length", "a length has a type u8, u16, u24 or u32");
-    message.length.at = static_cast<std::uint16_t>(length->find("at")->integer);
-    message.length.size = field.size;
-    message.length.big_endian = is_big_endian(protocol_);
-    if (const Node* order = length->find("order")) message.length.big_endian = order->text == "big";
-    if (const Node* plus = length->find("plus"))
-      message.length.plus = static_cast<std::uint16_t>(plus->integer);
   }
 
   void read_fields(const Node& table, const std::string& path, Message& message) {
@@ -227,6 +202,9 @@ class PlanReader {
       for (Problem& one : check_emulated(plan(), messages.items, file_, path_))
         problems_.push_back(std::move(one));
     }
+    if (description_.kind == measurement::Kind::imu && !frames_)
+      for (Problem& one : check_imu(plan(), messages.items, file_, path_))
+        problems_.push_back(std::move(one));
     if (description_.kind && std::ranges::none_of(plan().messages, &Message::publishes))
       add(messages, path_, "no field is part of a measurement: none has the key 'field'");
   }
@@ -252,6 +230,7 @@ class PlanReader {
   Problems& problems_;
   Description description_;
   std::string path_ = "/protocol";
+  std::vector<std::string> samples_;              ///< the sample of each message of bytes
   std::shared_ptr<described::FramePlan> frames_;  ///< of a DBC file
 };
 

@@ -54,7 +54,7 @@ class KeysReader {
   }
 
   void refuse_keys_of_frames() {
-    for (const char* key : {"end", "checksum_at", "header_checksum", "stuffing"})
+    for (const char* key : {"end", "checksum_at", "checksum_extra", "header_checksum", "stuffing"})
       if (protocol_.find(key)) add(key, "only binary frames have it");
   }
 

@@ -27,6 +27,7 @@ DescribedDriver::DescribedDriver(const DriverOptions& options)
 void DescribedDriver::restart(Stamp now, Output& out) {
   StreamDriver::restart(now, out);
   std::ranges::fill(heard_at_, std::nullopt);
+  joined_.reset();
   dialogue_.begin(now, timing_.provenance() == measurement::Provenance::replayed, out);
 }
 
@@ -47,7 +48,10 @@ void DescribedDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output
   if (record_.malformed != 0) out.report("a field is no number; it reads as empty");
   dialogue_.heard(record_.type, arrival.read_at, out);
   const bool again = repeats(arrival.read_at);
-  if (record_.message->publishes && !again) publish(arrival, out);
+  if (!record_.message->is_alone())
+    join(arrival, out);
+  else if (record_.message->publishes && !again)
+    publish(arrival, out);
 }
 
 bool DescribedDriver::repeats(Stamp at) {
@@ -62,6 +66,17 @@ void DescribedDriver::publish(const Arrival& arrival, Output& out) {
   const auto age = age_of(readings_);
   Origin origin = age ? timing_.of_bytes(arrival, *age) : timing_.of_bytes(arrival);
   publisher_.publish(readings_, origin, out);
+}
+
+void DescribedDriver::join(const Arrival& arrival, Output& out) {
+  read(record_, readings_);
+  const auto age = age_of(readings_);
+  const Origin origin = age ? timing_.of_bytes(arrival, *age) : timing_.of_bytes(arrival);
+  const auto state = joined_.add(record_, readings_, origin, age.has_value());
+  if (state == JoinedMessages::State::broken)
+    out.refuse("a sample whose messages did not all come was left out", Refusal::incomplete);
+  if (state == JoinedMessages::State::complete)
+    publisher_.publish(joined_.readings(), joined_.origin(), out);
 }
 
 }  // namespace drydock::device

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "drivers/device/described/described_dialogue.hpp"
+#include "drivers/device/described/joined_messages.hpp"
 #include "drivers/device/described/publish_measured.hpp"
 #include "drivers/device/stream_driver.hpp"
 #include "drivers/wire/described/codec.hpp"
@@ -24,6 +25,7 @@ class DescribedDriver final
  private:
   void on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) override;
   void publish(const Arrival& arrival, Output& out);
+  void join(const Arrival& arrival, Output& out);
   /// True if the message that was read says what another one has just said.
   bool repeats(Stamp at);
 
@@ -32,6 +34,7 @@ class DescribedDriver final
   DescribedDialogue dialogue_;
   wire::described::Record record_;
   wire::described::Readings readings_;
+  JoinedMessages joined_;
   MeasuredPublisher publisher_;
   std::vector<std::optional<Stamp>> heard_at_;  ///< of each message
 };

@@ -75,7 +75,7 @@ std::uint64_t integer_of(const Field& field, double number) {
   const double high = std::ldexp(1.0, static_cast<int>(is_signed ? bits - 1 : bits));
   const double low = is_signed ? -high : 0;
   const double top = bits > 53 ? std::nextafter(high, 0) : high - 1;  // doubles have 53 bits
-  const double rounded = std::clamp(std::round(number), low, top);
+  const double rounded = std::clamp(std::round(within_turn(field, number, low, top)), low, top);
   if (rounded < 0) return static_cast<std::uint64_t>(static_cast<std::int64_t>(rounded));
   return static_cast<std::uint64_t>(rounded);
 }
@@ -122,7 +122,7 @@ namespace {
 
 /// Writes the checksums of a whole message. That of the header is first, unless it covers the
 /// other.
-void put_checksums(const Plan& plan, std::span<std::uint8_t> whole) {
+void put_checksums(const Plan& plan, const Message& message, std::span<std::uint8_t> whole) {
   const std::size_t content = whole.size() - plan.tail();
   const std::size_t at = plan.checksum_at.value_or(static_cast<std::uint16_t>(content));
   const auto put_header = [&] {
@@ -135,7 +135,8 @@ void put_checksums(const Plan& plan, std::span<std::uint8_t> whole) {
   if (plan.header && !header_is_last) put_header();
   if (plan.checksum.size() != 0)
     store(whole, at, plan.checksum.size(), plan.checksum_big_endian,
-          plan.checksum.of(Bytes(whole).first(content).subspan(plan.checksum_from)));
+          plan.checksum.of(Bytes(whole).first(content).subspan(plan.checksum_from),
+                           bytes_of(message.extra)));
   if (header_is_last) put_header();
 }
 
@@ -160,7 +161,7 @@ std::size_t encode_whole(const Plan& plan, const Message& message, const Reading
     if (!number && !real && !says_nothing_holds(fields, readings)) return 0;
     put(field, number.value_or(real ? std::nan("") : field.idle), out);
   }
-  put_checksums(plan, out.first(size));
+  put_checksums(plan, message, out.first(size));
   std::ranges::copy(plan.end, out.begin() + static_cast<std::ptrdiff_t>(size - plan.end.size()));
   return size;
 }

@@ -18,6 +18,10 @@ inline void store(std::span<std::uint8_t> out, std::size_t at, std::size_t size,
     out[at + (big_endian ? size - 1 - i : i)] = static_cast<std::uint8_t>(value);
 }
 
+inline Bytes bytes_of(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
 constexpr std::uint64_t mask_of(unsigned bits) {
   return bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
 }

@@ -31,7 +31,7 @@ bool may_begin(const Plan& plan, const Message& message, Bytes bytes) {
 }
 
 /// True if the whole message has its checksum and its end.
-bool is_checked(const Plan& plan, Bytes frame) {
+bool is_checked(const Plan& plan, const Message& message, Bytes frame) {
   const std::size_t size = plan.checksum.size();
   if (frame.size() < plan.least()) return false;
   const std::size_t content = frame.size() - plan.tail();
@@ -39,7 +39,8 @@ bool is_checked(const Plan& plan, Bytes frame) {
   if (size == 0) return true;
   const Bytes covered = frame.first(content).subspan(plan.checksum_from);
   const std::size_t at = plan.checksum_at.value_or(static_cast<std::uint16_t>(content));
-  return plan.checksum.of(covered) == load(frame, at, size, plan.checksum_big_endian);
+  return plan.checksum.of(covered, bytes_of(message.extra)) ==
+         load(frame, at, size, plan.checksum_big_endian);
 }
 
 /// The front of a line whose packets stand between delimiters.
@@ -52,14 +53,16 @@ Scan scan_stuffed(const Plan& plan, Bytes bytes) {
   Packet packet;
   if (!unstuff(plan.stuffing, bytes.first(whole.size), packet))
     return {Scan::Kind::bad_checksum, without_end};
-  const bool named = std::ranges::any_of(plan.messages, [&](const Message& message) {
+  const auto named = std::ranges::find_if(plan.messages, [&](const Message& message) {
     return packet.size() >= message.head.size() && may_begin(plan, message, packet) &&
            has_length(message.length, packet);
   });
+  const bool known = named != plan.messages.end();
   // Without a checksum only the name of a packet tells that it is one.
-  const bool proven = plan.checksum.size() != 0 || named;
-  if (proven && is_checked(plan, packet)) return Scan::frame(whole.size);
-  return {named ? Scan::Kind::bad_checksum : Scan::Kind::skip, without_end};
+  const bool proven = plan.checksum.size() != 0 || known;
+  if (proven && is_checked(plan, known ? *named : Message{}, packet))
+    return Scan::frame(whole.size);
+  return {known ? Scan::Kind::bad_checksum : Scan::Kind::skip, without_end};
 }
 
 }  // namespace
@@ -80,7 +83,7 @@ Scan scan_binary(const Plan& plan, Bytes bytes) {
     if (*length < shortest || *length > plan.longest) continue;
     if (*length > bytes.size()) {
       waits_for = std::max(waits_for, *length);
-    } else if (is_checked(plan, bytes.first(*length))) {
+    } else if (is_checked(plan, message, bytes.first(*length))) {
       best = best == 0 ? *length : std::min(best, *length);
     } else {
       damaged = true;

@@ -76,13 +76,16 @@ bool Checksum::find(std::string_view word, Checksum& into) {
     return known == name;
   };
   if (take("none", Way::none, 0) || take("xor", Way::exclusive_or, 8) ||
-      take("sum-8", Way::sum, 8) || take("sum-8-negative", Way::negative_sum, 8) ||
-      take("sum-8-inverted", Way::inverted_sum, 8) || take("word-sum-16", Way::word_sum, 16) ||
-      take("word-sum-16-big", Way::big_word_sum, 16) ||
-      take("fletcher-16-255", Way::fletcher_255, 16) || take("sum-15", Way::sum, 15) ||
-      take("sum-16", Way::sum, 16) || take("sum-32", Way::sum, 32) ||
-      take("fletcher-16", Way::fletcher, 16))
+      take("fletcher-16", Way::fletcher, 16) || take("fletcher-16-255", Way::fletcher_255, 16) ||
+      take("sum-15", Way::sum, 15))
     return true;
+  const auto plain = std::ranges::find(plain_checksums, name);
+  if (plain != plain_checksums.end()) {
+    const bool words = name.starts_with("word-");
+    const bool big = name.starts_with("word-sum-16-big");
+    const unsigned width = name.starts_with("sum-8") ? 8 : name.starts_with("sum-32") ? 32 : 16;
+    return take(*plain, big ? Way::big_word_sum : words ? Way::word_sum : Way::sum, width);
+  }
   const auto found = std::ranges::find(crcs, name, &Crc::name);
   if (found == crcs.end()) return false;
   into = Checksum(*found);
@@ -95,23 +98,29 @@ std::vector<std::string_view> checksum_names() {
   return names;
 }
 
-std::uint32_t Checksum::of(Bytes bytes) const {
+std::uint32_t Checksum::finished(std::uint32_t sum) const {
+  if (finish_ == Finish::negative) sum = -sum;
+  if (finish_ == Finish::inverted) sum = ~sum;
+  return sum & (0xFFFFFFFFu >> (32 - width_));
+}
+
+std::uint32_t Checksum::of(Bytes bytes, Bytes extra) const {
   std::uint32_t crc = start_;
   switch (way_) {
     case Way::none: return 0;
     case Way::exclusive_or: return exclusive_or(bytes);
-    case Way::sum: return byte_total(bytes) & (0xFFFFFFFFu >> (32 - width_));
-    case Way::negative_sum: return -byte_total(bytes) & (0xFFFFFFFFu >> (32 - width_));
-    case Way::inverted_sum: return ~byte_total(bytes) & (0xFFFFFFFFu >> (32 - width_));
-    case Way::word_sum: return word_sum(bytes, false);
-    case Way::big_word_sum: return word_sum(bytes, true);
+    case Way::sum: return finished(byte_total(bytes));
+    case Way::word_sum: return finished(word_sum(bytes, false));
+    case Way::big_word_sum: return finished(word_sum(bytes, true));
     case Way::fletcher_255: return fletcher_255(bytes);
     case Way::fletcher: return fletcher8(bytes);
     case Way::crc:
-      for (const std::uint8_t byte : bytes) crc = crc << 8 ^ table_[crc >> 24 ^ byte];
+      for (const Bytes part : {bytes, extra})
+        for (const std::uint8_t byte : part) crc = crc << 8 ^ table_[crc >> 24 ^ byte];
       return crc >> (32 - width_) ^ xor_out_;
     case Way::crc_reflected:
-      for (const std::uint8_t byte : bytes) crc = crc >> 8 ^ table_[(crc ^ byte) & 0xFF];
+      for (const Bytes part : {bytes, extra})
+        for (const std::uint8_t byte : part) crc = crc >> 8 ^ table_[(crc ^ byte) & 0xFF];
       return crc ^ xor_out_;
   }
   return 0;

@@ -11,14 +11,31 @@
 /// The checksums that a description can name.
 namespace drydock::wire::described {
 
-/// Those that are no CRC. `sum-8-negative` makes the sum of all bytes 0, `sum-8-inverted` has all
-/// bits of the sum turned; `sum-15` is a sum of 16 bits without its highest; of `fletcher-16`
+/// Those that are no CRC. A `-negative` one makes the sum of all 0, an `-inverted` one has all bits
+/// of the sum turned; `sum-15` is a sum of 16 bits without its highest; of `fletcher-16`
 /// (RFC 1145) the sum of the bytes is the low byte, and of `fletcher-16-255` the sums are taken
 /// modulo 255. The word sums add 16-bit words, `-big` with the high byte first; an odd last byte is
 /// a word with a zero behind it.
-inline constexpr auto plain_checksums = std::to_array<std::string_view>(
-    {"none", "xor", "sum-8", "sum-8-negative", "sum-8-inverted", "sum-16", "sum-15", "sum-32",
-     "word-sum-16", "word-sum-16-big", "fletcher-16", "fletcher-16-255"});
+inline constexpr auto plain_checksums = std::to_array<std::string_view>({"none",
+                                                                         "xor",
+                                                                         "sum-8",
+                                                                         "sum-8-negative",
+                                                                         "sum-8-inverted",
+                                                                         "sum-16",
+                                                                         "sum-16-negative",
+                                                                         "sum-16-inverted",
+                                                                         "sum-15",
+                                                                         "sum-32",
+                                                                         "sum-32-negative",
+                                                                         "sum-32-inverted",
+                                                                         "word-sum-16",
+                                                                         "word-sum-16-negative",
+                                                                         "word-sum-16-inverted",
+                                                                         "word-sum-16-big",
+                                                                         "word-sum-16-big-negative",
+                                                                         "word-sum-16-big-inverted",
+                                                                         "fletcher-16",
+                                                                         "fletcher-16-255"});
 
 /// All names, as a description may write them.
 std::vector<std::string_view> checksum_names();
@@ -32,7 +49,9 @@ class Checksum {
   /// False if no checksum has that name, in capitals or not. Other names of the catalogue count.
   static bool find(std::string_view name, Checksum& into);
 
-  std::uint32_t of(Bytes bytes) const;
+  /// `extra`: bytes that a CRC takes in behind the others, and that are not sent.
+  std::uint32_t of(Bytes bytes, Bytes extra = {}) const;
+  bool is_crc() const { return way_ == Way::crc || way_ == Way::crc_reflected; }
   std::size_t size() const { return (width_ + 7) / 8; }  ///< bytes on the wire; 0: there is none
   std::string_view name() const { return name_; }
 
@@ -41,8 +60,6 @@ class Checksum {
     none,
     exclusive_or,
     sum,
-    negative_sum,
-    inverted_sum,
     word_sum,
     big_word_sum,
     fletcher,
@@ -51,11 +68,18 @@ class Checksum {
     crc_reflected
   };
 
-  Checksum(std::string_view name, Way way, unsigned width)
-      : name_(name), way_(way), width_(width) {}
+  enum class Finish : std::uint8_t { as_it_is, negative, inverted };
+
+  Checksum(std::string_view name, Way way, unsigned width) : name_(name), way_(way), width_(width) {
+    if (name.ends_with("-negative")) finish_ = Finish::negative;
+    if (name.ends_with("-inverted")) finish_ = Finish::inverted;
+  }
+
+  std::uint32_t finished(std::uint32_t sum) const;
 
   std::string_view name_{};
   Way way_ = Way::none;
+  Finish finish_ = Finish::as_it_is;
   unsigned width_ = 0;
   std::uint32_t start_ = 0, xor_out_ = 0;
   std::array<std::uint32_t, 256> table_{};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace drydock::wire::described {
 namespace {
@@ -95,6 +96,13 @@ std::optional<double> wire_number(std::span<const Field> fields, const Field& fi
   if (value) value = (*value - field.offset) / field.factor;
   if (value && std::isfinite(*value)) return value;
   return field.no_value.empty() ? std::nullopt : std::optional(field.no_value.front());
+}
+
+double within_turn(const Field& field, double number, double low, double high) {
+  if (!field.target || !is_circular(*field.target)) return number;
+  const double turn = 2 * std::numbers::pi / std::abs(field.factor);
+  if (number > high && number - turn >= low) return number - turn;
+  return number < low && number + turn <= high ? number + turn : number;
 }
 
 bool measures_nothing(std::span<const Field> fields, const Readings& readings) {

@@ -58,6 +58,8 @@ void divide(Record& record);
 /// The number that a field has on the wire; empty: there is no value.
 std::optional<double> wire_number(std::span<const Field> fields, const Field& field,
                                   const Readings& readings);
+/// The same angle as `low` to `high` can say it: 340 degrees are -20 in a signed number.
+double within_turn(const Field& field, double number, double low, double high);
 /// True if nothing that the message measures has a value now. A message that only says whether
 /// others hold looks at the whole sample.
 bool measures_nothing(std::span<const Field> fields, const Readings& readings);

@@ -46,7 +46,8 @@ std::uint64_t raw_of(const Field& field, const dbc::Layout& layout, double numbe
   double top = bits > 53 ? std::nextafter(end, 0) : end - 1;
   if (j1939 && field.bits == 0 && says_no_number(layout, lowest(bits)))
     top = std::ldexp(0xFB, static_cast<int>(bits) - 8) - 1;
-  const double whole = std::clamp(std::round(number), is_signed ? -end : 0, top);
+  const double low = is_signed ? -end : 0;
+  const double whole = std::clamp(std::round(within_turn(field, number, low, top)), low, top);
   return whole < 0 ? static_cast<std::uint64_t>(static_cast<std::int64_t>(whole))
                    : static_cast<std::uint64_t>(whole);
 }

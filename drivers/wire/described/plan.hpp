@@ -97,6 +97,7 @@ struct Message {
   std::string head;         ///< text or sync bytes with which it begins
   bool any_talker = false;  ///< sentences: the two characters behind the first may be any letters
   Length length;            ///< binary
+  std::string extra;        ///< binary: what its CRC takes in behind the rest, and nobody sends
   std::shared_ptr<const PatternLine> line;  ///< lines: by a pattern; null: by fields in order
   std::uint16_t first_field = 0, fields = 0;
   std::vector<std::uint8_t> mapped;  ///< its fields with a target, by rank
@@ -106,6 +107,12 @@ struct Message {
   /// The message, by its place, that says the same: this one is no measurement while that one
   /// comes.
   std::optional<std::uint16_t> same_as;
+  /// Messages of a sample come one behind the other: the place of the one before, and whether
+  /// another one comes.
+  std::optional<std::uint16_t> follows;
+  bool leads = false;
+
+  bool is_alone() const { return !follows && !leads; }
 };
 
 struct Plan {

@@ -189,6 +189,12 @@ constexpr const TargetRow& row_of(Target target) {
   return target_rows[static_cast<std::size_t>(target)];
 }
 
+/// True for an angle that is the same after a whole turn.
+constexpr bool is_circular(Target target) {
+  using enum Target;
+  return target == heading || target == magnetic_heading || target == course || target == longitude;
+}
+
 /// The first five targets are times: they measure nothing.
 constexpr bool is_time(Target target) { return target <= Target::interval; }
 

@@ -30,7 +30,9 @@ std::string_view digits_of(const Field& field, double magnitude, bool comma,
 void write_signed_hex(const Field& field, double number, FieldWriter& line) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   const double limit = std::ldexp(1.0, 4 * field.width - 1);
-  const double rounded = std::clamp(std::round(number), -limit, std::nextafter(limit, 0));
+  const double top = std::nextafter(limit, 0);
+  const double rounded =
+      std::clamp(std::round(within_turn(field, number, -limit, top)), -limit, top);
   const auto raw = static_cast<std::uint64_t>(static_cast<std::int64_t>(rounded));
   for (unsigned left = field.width; left-- > 0;)
     line.text(digits.substr(raw >> (4 * left) & 15, 1));
@@ -69,8 +71,13 @@ bool write_field(const Plan& plan, std::span<const Field> fields, const Field& f
 bool write_fields(const Plan& plan, const Message& message, const Readings& readings,
                   FieldWriter& line) {
   const auto fields = plan.fields_of(message);
+  bool nothing = false;  // stands between two blanks, which are one separator then
   for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::size_t begun = line.size();
     if (!write_field(plan, fields, fields[i], readings, line)) return false;
+    const bool between_blanks = fields[i].end == ' ' || (i > 0 && fields[i - 1].end == ' ');
+    nothing |= between_blanks && line.size() == begun;
+    if (nothing && (line.size() > begun || !fields[i].optional)) return false;
     if (i + 1 < fields.size() || fields[i].closed) line.text({&fields[i].end, 1});
   }
   return true;

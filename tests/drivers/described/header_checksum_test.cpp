@@ -10,6 +10,12 @@ using ::testing::HasSubstr;
 using wire::Scan;
 using wire::testing::Buffer;
 
+std::string without(std::string text, std::string_view part) {
+  const auto at = text.find(part);
+  EXPECT_NE(at, text.npos);
+  return text.erase(at, part.size());
+}
+
 /// Packet 39 of Advanced Navigation's protocol (reference manuals, "Packet Structure"), with roll
 /// 0.25, pitch -0.125 and heading 3.5 rad. Its CRC is that of Python's binascii.crc_hqx.
 const Buffer euler{0xC8, 0x27, 0x0C, 0xC0, 0x45, 0x00, 0x00, 0x80, 0x3E,
@@ -102,10 +108,28 @@ fields = [
   EXPECT_NEAR(value_of(record, "pitch_deg"), -1.25, 1e-9);
 }
 
-std::string without(std::string text, std::string_view part) {
-  const auto at = text.find(part);
-  EXPECT_NE(at, text.npos);
-  return text.erase(at, part.size());
+/// MAVLink 1: a heartbeat as ground stations show it. Its CRC takes in a byte of the message's
+/// definition, 50, that is not sent.
+TEST(ChecksumOfMoreThanIsSent, IsThatOfMavlink) {
+  const Buffer heartbeat{0xFE, 0x09, 0x4E, 0x01, 0x01, 0x00, 0x00, 0x00, 0x00,
+                         0x00, 0x02, 0x03, 0x51, 0x04, 0x03, 0x1C, 0x7F};
+  constexpr std::string_view heart = R"(
+[sensor]
+title = "heartbeat"
+[protocol]
+checksum = "crc-16/mcrf4xx"
+checksum_from = 1
+[[protocol.binary]]
+name = "heartbeat"
+sync = "FE 09"
+length = 17
+checksum_extra = "32"
+fields = [{ at = 5, type = "u8", is = 0 }, { at = 10, type = "u8", name = "kind" }]
+)";
+  const auto description = described(heart);
+  EXPECT_EQ(wire::described::scan(description->plan, heartbeat), Scan::frame(17));
+  const auto without_it = described(without(std::string(heart), "checksum_extra = \"32\"\n"));
+  EXPECT_EQ(wire::described::scan(without_it->plan, heartbeat), Scan::bad_checksum());
 }
 
 TEST(ChecksumInFront, IsNotInWhatItCovers) {

@@ -33,7 +33,10 @@ TEST(DescribedValues, ChecksumsOfNineDigitsAreThoseOfTheCatalogue) {
        {std::pair("sum-8", 0xDDu), std::pair("sum-16", 0x1DDu), std::pair("sum-32", 0x1DDu),
         std::pair("xor", 0x31u), std::pair("fletcher-16", 0x15DDu),
         std::pair("fletcher-16-255", 0x1EDEu), std::pair("sum-8-inverted", 0x22u),
-        std::pair("word-sum-16", 0xD509u), std::pair("word-sum-16-big", 0x09D4u)}) {
+        std::pair("word-sum-16", 0xD509u), std::pair("word-sum-16-big", 0x09D4u),
+        std::pair("sum-16-negative", 0xFE23u), std::pair("sum-32-inverted", 0xFFFFFE22u),
+        std::pair("word-sum-16-negative", 0x2AF7u),
+        std::pair("word-sum-16-big-inverted", 0xF62Bu)}) {
     wire::described::Checksum checksum;
     ASSERT_TRUE(wire::described::Checksum::find(name, checksum));
     EXPECT_EQ(checksum.of(digits), sum) << name;
