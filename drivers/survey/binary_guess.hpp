@@ -1,8 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "drivers/survey/guess_checksum.hpp"
+#include "drivers/wire/described/stuffing.hpp"
 
 namespace drydock::survey {
 
@@ -19,8 +22,12 @@ struct BinaryGuess {
   std::optional<LengthField> length;  ///< empty: all have the length of the first
   std::optional<Sum> sum;
   Frames frames;
+  wire::described::Stuffing stuffing = wire::described::Stuffing::none;
+  /// What `frames` look at, where they were stuffed.
+  std::shared_ptr<const std::vector<std::vector<std::uint8_t>>> packets{};
+  std::size_t stuffed_bytes = 0;  ///< of them, with their delimiters
 
-  std::size_t bytes() const;  ///< in all frames
+  std::size_t bytes() const;  ///< of the capture, in all frames
   bool has_one_length() const;
 };
 
@@ -29,10 +36,15 @@ struct BinaryGuess {
 /// plausible.
 std::optional<BinaryGuess> guess_lengths(wire::Bytes capture);
 
-/// Frames of one length, by the distance at which bytes repeat.
+/// Frames of one length, by the distance at which bytes repeat: the shortest with a checksum that
+/// is right.
 std::optional<BinaryGuess> guess_period(wire::Bytes capture);
 
-/// As a description: the messages that the frames are, and their fields.
-std::string binary_text(const BinaryGuess& guess);
+/// Packets between delimiters, proved by a checksum or by DLE and ETX.
+std::optional<BinaryGuess> guess_stuffed(wire::Bytes capture);
+
+/// As a description: the messages that the frames are, and their fields; and how many of the
+/// capture's bytes are in none.
+std::string binary_text(const BinaryGuess& guess, std::size_t capture_bytes);
 
 }  // namespace drydock::survey

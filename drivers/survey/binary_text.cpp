@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "drivers/survey/binary_guess.hpp"
 #include "drivers/survey/guess_messages.hpp"
@@ -46,14 +47,12 @@ class FieldList {
     const std::size_t tail =
         guess_.sum ? guess_.sum->checksum.size() + guess_.sum->behind : std::size_t{0};
     identify();
-    // A number does not reach over an identifier or the length.
-    const std::size_t end = kind_.shortest - tail;
-    for (std::size_t from = guess_.sync; from < end; ++from) {
-      std::size_t to = from;
-      while (to < end && !is_known(to)) ++to;
-      for (const Guessed& one : guess_numbers(kind_.frames, from, to)) add(one);
-      from = to;
-    }
+    std::vector<std::size_t> known = kinds_.id_at;  // and the length
+    for (std::size_t i = 0; guess_.length && i < guess_.length->size; ++i)
+      known.push_back(guess_.length->at + i);
+    for (const Guessed& one :
+         guess_numbers(kind_.frames, guess_.sync, kind_.shortest - tail, known))
+      add(one);
     end_constants();
     if (left_out_ > 0) text_ += fmt::format("  # and {} more that change\n", left_out_);
     if (kind_.longest > kind_.shortest)
@@ -70,12 +69,6 @@ class FieldList {
           fmt::format("  {{ at = {}, type = \"u8\", is = {} }},\n", kinds_.id_at[i], kind_.id[i]);
       ++fields_;
     }
-  }
-
-  bool is_known(std::size_t at) const {
-    const auto& length = guess_.length;
-    return std::ranges::find(kinds_.id_at, at) != kinds_.id_at.end() ||
-           (length && at >= length->at && at < length->at + length->size);
   }
 
   void add(const Guessed& one) {
@@ -110,16 +103,18 @@ class FieldList {
 };
 
 /// The sync with those identifiers that follow it at once.
-std::string head_of(const BinaryGuess& guess, const MessageGuesses& kinds, Bytes frame) {
+std::string sync_text(const BinaryGuess& guess, const MessageGuesses& kinds, Bytes frame) {
   std::size_t size = guess.sync;
   for (const std::size_t at : kinds.id_at) size += at == size;
-  return hex_of(frame.first(size));
+  return size > 0 ? fmt::format("sync = \"{}\"\n", hex_of(frame.first(size))) : std::string();
 }
 
+/// Of packets the delimiters tell it.
 std::string length_text(const BinaryGuess& guess) {
-  if (!guess.length) return fmt::format("{}", guess.frames[0].size());
+  if (guess.packets) return {};
+  if (!guess.length) return fmt::format("length = {}\n", guess.frames[0].size());
   const LengthField& field = *guess.length;
-  return fmt::format("{{ at = {}, type = \"u{}\"{}{} }}", field.at, 8 * field.size,
+  return fmt::format("length = {{ at = {}, type = \"u{}\"{}{} }}\n", field.at, 8 * field.size,
                      field.size > 1 ? order_of(field.big_endian) : "",
                      field.plus > 0 ? fmt::format(", plus = {}", field.plus) : "");
 }
@@ -129,17 +124,33 @@ std::string message_text(const BinaryGuess& guess, const MessageGuesses& kinds,
   std::string name = "frame";
   for (const std::uint8_t byte : kind.id) name += fmt::format("_{:02X}", byte);
   return fmt::format(
-      "\n[[protocol.binary]]             # {} frames\nname = \"{}\"\nsync = \"{}\"\nlength = {}\n"
+      "\n[[protocol.binary]]             # {} frames\nname = \"{}\"\n{}{}"
       "fields = [\n{}]\n",
-      kind.frames.size(), name, head_of(guess, kinds, kind.frames[0]), length_text(guess),
+      kind.frames.size(), name, sync_text(guess, kinds, kind.frames[0]), length_text(guess),
       FieldList(guess, kinds, kind).text());
 }
 
-std::string protocol_text(const BinaryGuess& guess, const MessageGuesses& kinds) {
-  std::string text = "\n[protocol]\n";
+std::string_view name_of(wire::described::Stuffing stuffing) {
+  constexpr std::array<std::string_view, 5> names{"none", "dle", "slip", "hdlc", "cobs"};
+  return names[static_cast<std::size_t>(stuffing)];
+}
+
+/// How much of the capture the guess explains.
+std::string explained_text(const BinaryGuess& guess, std::size_t capture_bytes) {
+  const std::size_t rest = capture_bytes - std::min(capture_bytes, guess.bytes());
+  if (rest == 0) return "# The frames below are all bytes of the capture.\n";
+  return fmt::format("# Not described: {} of {} bytes of the capture ({:.2g} %) are in no frame.\n",
+                     rest, capture_bytes,
+                     100 * static_cast<double>(rest) / static_cast<double>(capture_bytes));
+}
+
+std::string protocol_text(const BinaryGuess& guess, const MessageGuesses& kinds,
+                          std::size_t capture_bytes) {
+  std::string text = "\n[protocol]\n" + explained_text(guess, capture_bytes);
   constexpr std::size_t usual = 1024;
   const auto longest = std::ranges::max(kinds.all, {}, &MessageGuess::longest).longest;
   if (longest > usual) text += fmt::format("longest = {}\n", wire::described::longest_frame);
+  if (guess.packets) text += fmt::format("stuffing = \"{}\"\n", name_of(guess.stuffing));
   if (!guess.sum) return text + "# no checksum was found\n";
   const Sum& sum = *guess.sum;
   text += fmt::format("checksum = \"{}\"\n", sum.checksum.name());
@@ -152,9 +163,9 @@ std::string protocol_text(const BinaryGuess& guess, const MessageGuesses& kinds)
 
 }  // namespace
 
-std::string binary_text(const BinaryGuess& guess) {
+std::string binary_text(const BinaryGuess& guess, std::size_t capture_bytes) {
   const MessageGuesses kinds = guess_messages(guess);
-  std::string text = protocol_text(guess, kinds), left_out;
+  std::string text = protocol_text(guess, kinds, capture_bytes), left_out;
   for (std::size_t i = 0; i < kinds.all.size(); ++i) {
     const MessageGuess& kind = kinds.all[i];
     if (i < wire::described::most_messages)

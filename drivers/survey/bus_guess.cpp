@@ -109,7 +109,7 @@ std::string BusGuess::message_text(std::uint32_t dbc_id, const Id& id) {
   for (const Guessed& one : guess_numbers(content.frames, 0, content.shortest)) {
     if (one.looks == Guessed::Looks::number)
       text += signal(number_name(one), 8 * one.at + (one.big_endian ? 7 : 0), 8 * one.size,
-                     one.big_endian, true, one.low, one.high);
+                     one.big_endian, one.type[0] != 'u', one.low, one.high);
     else if (changing(content.frames, one.at) != 0)
       text += bits_signal(content.frames, one.at);
   }

@@ -14,9 +14,16 @@ namespace drydock::survey {
 /// and its text says so. Empty: it finds nothing that repeats.
 std::string guess_description(wire::Bytes capture);
 
-// The ways.
+/// A description of lines, and how many of them it describes.
+struct LinesGuess {
+  std::string text;
+  std::size_t lines = 0;
+};
+
+// The ways. Lines are without their line ends.
 std::string guess_text(wire::Bytes capture);
-std::string guess_lines(const std::vector<std::string_view>& lines);  ///< without their line ends
+LinesGuess guess_lines(const std::vector<std::string_view>& lines);
+LinesGuess guess_fixed_lines(const std::vector<std::string_view>& lines);
 std::string guess_hex_lines(const std::vector<std::string_view>& lines);
 std::string guess_binary(wire::Bytes capture);
 

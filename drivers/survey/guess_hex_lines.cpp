@@ -5,16 +5,15 @@
 #include <vector>
 
 #include "drivers/survey/guess.hpp"
+#include "drivers/survey/hex_columns.hpp"
 #include "drivers/survey/left_out.hpp"
 #include "drivers/survey/line_cut.hpp"
 
-/// Lines of hexadecimal digits without anything between their columns, as some CTDs send them. In a
-/// number the last digit changes most often and the first most seldom, so a column begins where a
-/// digit changes much more seldom than the one before it.
+/// Lines of hexadecimal digits without anything between their columns, as some CTDs send them.
 namespace drydock::survey {
 namespace {
 
-constexpr std::size_t fewest_hex_lines = 8, fewest_digits = 6, longest_column = 16;
+constexpr std::size_t fewest_hex_lines = 8, fewest_digits = 6;
 
 bool is_hex(std::string_view line) { return std::ranges::all_of(line, is_hex_digit); }
 bool has_letters(std::string_view line) { return std::ranges::any_of(line, is_letter); }
@@ -32,28 +31,6 @@ std::string_view prefix_of(const std::vector<std::string_view>& lines) {
   return plain && same.size() <= longest ? same : std::string_view();
 }
 
-/// How often each digit changed from line to line.
-std::vector<std::size_t> changes_of(const std::vector<std::string_view>& lines) {
-  std::vector<std::size_t> changes(lines.front().size());
-  for (std::size_t i = 1; i < lines.size(); ++i)
-    for (std::size_t at = 0; at < changes.size(); ++at)
-      changes[at] += lines[i][at] != lines[i - 1][at];
-  return changes;
-}
-
-/// The digits of each column.
-std::vector<std::size_t> columns_of(const std::vector<std::size_t>& changes) {
-  std::vector<std::size_t> columns{1};
-  for (std::size_t at = 1; at < changes.size(); ++at) {
-    const bool begins = 2 * changes[at] < changes[at - 1] || columns.back() == longest_column;
-    if (begins)
-      columns.push_back(1);
-    else
-      ++columns.back();
-  }
-  return columns;
-}
-
 }  // namespace
 
 std::string guess_hex_lines(const std::vector<std::string_view>& all) {
@@ -66,7 +43,7 @@ std::string guess_hex_lines(const std::vector<std::string_view>& all) {
   const bool same = std::ranges::all_of(
       lines, [&](std::string_view line) { return line.size() == size && is_hex(line); });
   if (!same || size < fewest_digits || std::ranges::none_of(lines, has_letters)) return {};
-  const auto columns = columns_of(changes_of(lines));
+  const auto columns = hex_columns(lines);
   if (columns.size() > most_groups) return {};
   std::string pattern, emulate, fields;
   for (std::size_t i = 0; i < columns.size(); ++i) {

@@ -10,6 +10,7 @@
 #include "drivers/survey/guess.hpp"
 #include "drivers/survey/left_out.hpp"
 #include "drivers/survey/line_form_text.hpp"
+#include "drivers/survey/pattern_text.hpp"
 
 /// Lines that no checksum proves: those that differ in their numbers alone are one message, and its
 /// pattern is their text with a group for each number.
@@ -18,8 +19,6 @@ namespace {
 
 constexpr std::size_t fewest_lines = 4, most_forms = 16;
 
-/// A letter that is not of ASCII, such as a degree sign, or a byte of one.
-constexpr bool is_foreign(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 bool is_printable(std::string_view line) {
   return std::ranges::all_of(
       line, [](char c) { return (c >= ' ' && c <= '~') || c == '\t' || is_foreign(c); });
@@ -54,7 +53,8 @@ std::vector<LineForm> merged(const Forms& forms) {
   return all;
 }
 
-std::string forms_text(const Forms& forms, LeftOut& left_out, char point) {
+LinesGuess forms_text(const Forms& forms, LeftOut& left_out, char point) {
+  std::size_t described = 0;
   std::string out = "\n[protocol]\n# lines without a checksum\n";
   if (point == ',') out += "decimal = \",\"\n";
   std::vector<std::string> heads;
@@ -69,14 +69,15 @@ std::string forms_text(const Forms& forms, LeftOut& left_out, char point) {
     }
     heads.push_back(head);
     out += *text;
+    described += form.lines;
   }
   if (heads.empty()) return {};
-  return out + left_out.text();
+  return {out + left_out.text(), described};
 }
 
 }  // namespace
 
-std::string guess_lines(const std::vector<std::string_view>& lines) {
+LinesGuess guess_lines(const std::vector<std::string_view>& lines) {
   if (lines.size() <= fewest_lines) return {};
   Forms forms;
   LeftOut left_out;
@@ -90,7 +91,7 @@ std::string guess_lines(const std::vector<std::string_view>& lines) {
     const LineCut cut = cut_at_numbers(line);
     forms[key_of(cut)].add(lines[i], cut);
   }
-  return forms.size() * 2 > lines.size() ? std::string()
+  return forms.size() * 2 > lines.size() ? LinesGuess()
                                          : forms_text(forms, left_out, commas ? ',' : '.');
 }
 

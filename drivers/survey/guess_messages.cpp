@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 /// Kinds of frames differ in length. The bytes that tell a frame's length best, for the number of
 /// kinds that they make, are its identifier: the shortest description of all lengths (J. Rissanen,
@@ -41,6 +42,47 @@ bool is_length(const BinaryGuess& guess, std::size_t at) {
   return guess.length && at >= guess.length->at && at < guess.length->at + guess.length->size;
 }
 
+/// The bits of all bytes, each by its column in the frames of its kind.
+double bits_by_column(const Frames& frames) {
+  constexpr std::size_t most_columns = 64, most_frames = 512;
+  std::size_t end = most_columns;
+  for (const Bytes frame : frames) end = std::min(end, frame.size());
+  const Frames some(frames.begin(),
+                    frames.begin() + std::ptrdiff_t(std::min(frames.size(), most_frames)));
+  const std::vector<double> bits = ByteCosts(some, end).bits;
+  return std::accumulate(bits.begin(), bits.end(), 0.0);
+}
+
+/// True if each value of the byte has always the same one behind it: messages in turn. A counter
+/// begins at 0.
+bool goes_round(const Frames& frames, std::size_t at) {
+  std::map<std::uint8_t, std::map<std::uint8_t, std::size_t>> next;
+  for (std::size_t i = 1; i < frames.size(); ++i) ++next[frames[i - 1][at]][frames[i][at]];
+  std::size_t usual = 0;
+  for (const auto& [value, behind] : next)
+    usual +=
+        std::ranges::max_element(behind, {}, [](const auto& one) { return one.second; })->second;
+  return next.begin()->first != 0 && usual * 20 >= (frames.size() - 1) * 19;
+}
+
+/// Kinds of one length: a byte behind the sync with few values is an identifier if they come in
+/// turn, or if the frames with each value take much fewer bits than all together.
+std::vector<std::size_t> id_of_one_length(const BinaryGuess& guess, std::size_t end) {
+  constexpr std::size_t most_kinds = 16, fewest_of_a_kind = 4, furthest = 2;
+  for (std::size_t at = guess.sync; at < std::min(end, guess.sync + furthest); ++at) {
+    std::map<std::uint8_t, Frames> kinds;
+    for (const Bytes frame : guess.frames) kinds[frame[at]].push_back(frame);
+    if (is_length(guess, at) || kinds.size() < 2 || kinds.size() > most_kinds) continue;
+    double bits = 0;
+    for (const auto& [value, frames] : kinds) bits += bits_by_column(frames);
+    const bool often = std::ranges::all_of(
+        kinds, [](const auto& kind) { return kind.second.size() >= fewest_of_a_kind; });
+    if (!often) continue;
+    if (goes_round(guess.frames, at) || bits < 0.9 * bits_by_column(guess.frames)) return {at};
+  }
+  return {};
+}
+
 std::vector<std::size_t> id_places(const BinaryGuess& guess) {
   std::size_t end = furthest_id;
   for (const Bytes frame : guess.frames) end = std::min(end, frame.size());
@@ -60,7 +102,7 @@ std::vector<std::size_t> id_places(const BinaryGuess& guess) {
     if (best.empty()) break;
     places = std::move(best);
   }
-  if (places.empty()) return places;
+  if (places.empty()) return id_of_one_length(guess, end);
   // A class before the identifier is part of it.
   const std::size_t last = std::ranges::max(places);
   std::vector<std::size_t> all;

@@ -1,16 +1,15 @@
 #include "drivers/survey/guess_numbers.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <optional>
-
-#include "drivers/wire/bytes.hpp"
+#include <array>
 
 namespace drydock::survey {
 namespace {
 
 using wire::Bytes;
+
+/// The costs are those of these frames, one behind the other.
+constexpr std::size_t most_weighed = 512;
 
 bool counts(const Frames& frames, std::size_t at) {
   std::size_t steps = 0;
@@ -19,121 +18,73 @@ bool counts(const Frames& frames, std::size_t at) {
   return frames.size() > 1 && steps * 10 >= (frames.size() - 1) * 9;
 }
 
-struct Range {
-  double low = 0, high = 0, step = 0;  ///< step: mean change from frame to frame
+struct NumberForm {
+  std::size_t size = 1;
+  bool is_real = false;
+
+  bool operator==(const NumberForm&) const = default;
 };
 
-template <class T>
-double value_at(Bytes frame, std::size_t at, bool big) {
-  return static_cast<double>(big ? wire::load_be<T>(frame, at) : wire::load_le<T>(frame, at));
-}
+/// Floats come first: where integers take as many bits it is a float.
+constexpr std::array<NumberForm, 6> number_forms{
+    {{4, true}, {8, true}, {4, false}, {2, false}, {3, false}, {8, false}}};
 
-template <class T>
-Range range_of(const Frames& frames, std::size_t at, bool big) {
-  const double first = value_at<T>(frames[0], at, big);
-  Range range{first, first, 0};
-  double before = first;
-  for (const Bytes frame : frames) {
-    const double value = value_at<T>(frame, at, big);
-    range.low = std::min(range.low, value);
-    range.high = std::max(range.high, value);
-    range.step += std::abs(value - before) / static_cast<double>(frames.size());
-    before = value;
+/// Places in order, and the bits that they take together.
+struct Layout {
+  std::vector<NumberPlace> places;
+  double bits = 0;
+};
+
+Layout best_layout(const Frames& frames, std::size_t from, const ByteCosts& bytes,
+                   const std::vector<bool>& is_known, bool big_endian, NumberForm usual = {}) {
+  const std::size_t end = bytes.bits.size();
+  std::vector<double> bits(end + 1);    // from each byte to the end
+  std::vector<NumberPlace> first(end);  // of the best layout from there
+  std::size_t reach = 0;                // bytes up to the next known one
+  for (std::size_t at = end; at-- > from;) {
+    constexpr double bits_of_a_type = 8;
+    reach = is_known[at] ? 0 : reach + 1;
+    first[at] = {at};
+    bits[at] = bits[at + 1];
+    if (is_known[at]) continue;
+    bits[at] += bytes.is_fixed[at] ? 0 : bytes.bits[at] + bits_of_a_type;
+    for (const NumberForm form : number_forms) {
+      if (form.size > reach) continue;
+      const NumberPlace place{at, form.size, form.is_real, big_endian};
+      const auto cost = number_cost(frames, place, bytes, form == usual);
+      if (!cost || *cost + bits[at + form.size] >= bits[at]) continue;
+      bits[at] = *cost + bits[at + form.size];
+      first[at] = place;
+    }
   }
-  return range;
+  Layout best{{}, from < end ? bits[from] : 0};
+  for (std::size_t at = from; at < end; at += first[at].size)
+    if (!is_known[at]) best.places.push_back(first[at]);
+  return best;
 }
 
-/// A float of a sensor is finite and of a usual size; noise about zero comes near it now and then.
-template <class T>
-bool is_real(const Frames& frames, std::size_t at, bool big) {
-  std::size_t tiny = 0;
-  for (const Bytes frame : frames) {
-    const double x = value_at<T>(frame, at, big);
-    if (!std::isfinite(x) || std::abs(x) >= 1e7) return false;
-    tiny += x != 0 && std::abs(x) <= 1e-6;
-  }
-  return 100 * tiny <= frames.size();
-}
-
-constexpr std::size_t fewest_for_clock = 4;
-
-/// A clock advances by nearly the same from frame to frame. Its upper half changes too, or is 0.
-bool is_clock(const Frames& frames, std::size_t at, bool big) {
-  const auto value = [&](Bytes frame) {
-    return big ? wire::load_be<std::uint32_t>(frame, at) : wire::load_le<std::uint32_t>(frame, at);
+/// The form of most numbers; one byte: no two are alike.
+NumberForm usual_form(const Layout& layout) {
+  const auto times = [&](NumberForm form) {
+    return std::ranges::count_if(layout.places, [&](const NumberPlace& place) {
+      return NumberForm{place.size, place.is_real} == form;
+    });
   };
-  if (frames.size() < fewest_for_clock) return false;
-  std::vector<std::uint32_t> steps;
-  bool small = true;
-  for (std::size_t i = 1; i < frames.size(); ++i) {
-    steps.push_back(value(frames[i]) - value(frames[i - 1]));
-    small = small && value(frames[i]) <= 0xFFFF;
-  }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::ranges::nth_element(steps, middle);
-  const std::uint32_t usual = *middle;
-  if (usual == 0 || usual > 0x1000000) return false;
-  const auto even = std::ranges::count_if(
-      steps, [&](std::uint32_t step) { return step - (usual - usual / 8) <= usual / 4; });
-  const bool upper_changes = usual > 0xFFFF / steps.size();
-  return static_cast<std::size_t>(even) * 10 >= steps.size() * 9 && (small || upper_changes);
+  const NumberForm most = std::ranges::max(number_forms, {}, times);
+  return times(most) > 1 ? most : NumberForm{};
 }
 
-/// A small number of 16 bits with a sign: its upper byte is 0 or FFh, as its lower one tells.
-bool is_small_signed(const Frames& frames, std::size_t at, bool big) {
-  std::size_t negative = 0;
-  for (const Bytes frame : frames) {
-    const std::uint8_t upper = frame[big ? at : at + 1], lower = frame[big ? at + 1 : at];
-    if (upper != (lower >= 0x80 ? 0xFF : 0)) return false;
-    negative += upper != 0;
-  }
-  return 100 * std::min(negative, frames.size() - negative) >= frames.size();
-}
-
-bool is_smooth(const Range& range) {
-  return range.high > range.low && range.step < (range.high - range.low) / 4;
-}
-
-/// Four bytes are one integer, not two, if the lower half alone jumps where the whole does not.
-bool is_long(const Frames& frames, std::size_t at, bool big) {
-  const Range whole = range_of<std::int32_t>(frames, at, big);
-  const Range low = range_of<std::uint16_t>(frames, big ? at + 2 : at, big);
-  return whole.high - whole.low > 0xFFFF && is_smooth(whole) && !is_smooth(low);
-}
-
-template <class T>
-std::optional<Guessed> number(const Frames& frames, std::size_t at, std::size_t end,
-                              std::string_view type,
-                              bool (*is_one)(const Frames&, std::size_t, bool)) {
-  if (at + sizeof(T) > end) return {};
-  for (const bool big : {false, true}) {
-    if (!is_one(frames, at, big)) continue;
-    const Range range = range_of<T>(frames, at, big);
-    if (range.high > range.low)
-      return Guessed{Guessed::Looks::number, at, sizeof(T), type, big, range.low, range.high};
-  }
-  return {};
-}
-
-bool is_short(const Frames& frames, std::size_t at, bool big) {
-  const Range range = range_of<std::int16_t>(frames, at, big);
-  return is_smooth(range) && range.high - range.low > 255;
-}
-
-/// The shorter comes first: half of a double is seldom a float, but two floats are often a double.
-std::optional<Guessed> number_at(const Frames& frames, std::size_t at, std::size_t end) {
-  auto found = number<float>(frames, at, end, "f32", is_real<float>);
-  if (!found) found = number<std::uint32_t>(frames, at, end, "u32", is_clock);
-  if (!found) found = number<double>(frames, at, end, "f64", is_real<double>);
-  if (!found) found = number<std::int16_t>(frames, at, end, "i16", is_small_signed);
-  if (!found) found = number<std::int16_t>(frames, at, end, "i16", is_short);
-  if (!found) found = number<std::int32_t>(frames, at, end, "i32", is_long);
-  return found;
+/// Numbers of one frame are mostly of one form. So the layout is looked for twice.
+Layout best_layout_of(const Frames& frames, std::size_t from, const ByteCosts& bytes,
+                      const std::vector<bool>& is_known, bool big_endian) {
+  const Layout first = best_layout(frames, from, bytes, is_known, big_endian);
+  const NumberForm usual = usual_form(first);
+  return usual.size == 1 ? first : best_layout(frames, from, bytes, is_known, big_endian, usual);
 }
 
 Guessed byte_at(const Frames& frames, std::size_t at) {
-  const Range range = range_of<std::uint8_t>(frames, at, false);
-  Guessed one{.at = at, .low = range.low, .high = range.high};
+  const auto [low, high] = std::ranges::minmax(frames, {}, [&](Bytes f) { return f[at]; });
+  Guessed one{.at = at, .low = double(low[at]), .high = double(high[at])};
   if (is_constant(frames, at))
     one.looks = Guessed::Looks::constant;
   else if (counts(frames, at))
@@ -141,15 +92,35 @@ Guessed byte_at(const Frames& frames, std::size_t at) {
   return one;
 }
 
-/// Behind a float with its high byte first comes another one, whose high byte does not change where
-/// the value hardly does: gravity.
-std::optional<Guessed> next_float(const Frames& frames, std::size_t at, std::size_t end,
-                                  const Guessed& before) {
-  const bool follows = before.type == "f32" && before.big_endian && frames[0][at] != 0;
-  if (!follows || at + 4 > end || is_constant(frames, at + 3)) return {};
-  if (!is_real<float>(frames, at, true)) return {};
-  const Range range = range_of<float>(frames, at, true);
-  return Guessed{Guessed::Looks::number, at, 4, "f32", true, range.low, range.high};
+Guessed real_at(const Frames& frames, const NumberPlace& place) {
+  const auto value = [&](Bytes frame) { return place.real(frame); };
+  const auto [low, high] = std::ranges::minmax(frames, {}, value);
+  return {Guessed::Looks::number, place.at,   place.size, place.size == 4 ? "f32" : "f64",
+          place.big_endian,       value(low), value(high)};
+}
+
+/// Without a sign where that makes the range shorter, and of a clock.
+Guessed integer_at(const Frames& frames, const NumberPlace& place) {
+  const auto with_sign = [&](Bytes frame) { return place.integer(frame); };
+  const auto without = [&](Bytes frame) {
+    return static_cast<std::uint64_t>(place.integer(frame)) & ~0ull >> (64 - 8 * place.size);
+  };
+  const auto [low, high] = std::ranges::minmax(frames, {}, with_sign);
+  const auto [least, most] = std::ranges::minmax(frames, {}, without);
+  const double range = static_cast<double>(with_sign(high)) - static_cast<double>(with_sign(low));
+  const double plain_low = static_cast<double>(without(least)),
+               plain_high = static_cast<double>(without(most));
+  const bool is_plain = plain_high - plain_low < range ||
+                        (place.size >= 4 && with_sign(low) >= 0 && is_clock(frames, place));
+  constexpr std::array<std::string_view, 9> plain{"", "", "u16", "u24", "u32", "", "", "", "u64"},
+      with{"", "", "i16", "i24", "i32", "", "", "", "i64"};
+  return {Guessed::Looks::number,
+          place.at,
+          place.size,
+          (is_plain ? plain : with)[place.size],
+          place.big_endian,
+          is_plain ? plain_low : static_cast<double>(with_sign(low)),
+          is_plain ? plain_high : static_cast<double>(with_sign(high))};
 }
 
 }  // namespace
@@ -160,16 +131,21 @@ bool is_constant(const Frames& frames, std::size_t at) {
   return static_cast<std::size_t>(same) * 10 >= frames.size() * 9;
 }
 
-std::vector<Guessed> guess_numbers(const Frames& frames, std::size_t from, std::size_t end) {
+std::vector<Guessed> guess_numbers(const Frames& frames, std::size_t from, std::size_t end,
+                                   const std::vector<std::size_t>& known) {
+  const Frames some(frames.begin(),
+                    frames.begin() + std::ptrdiff_t(std::min(frames.size(), most_weighed)));
+  const ByteCosts bytes(some, end);
+  std::vector<bool> is_known(end);
+  for (const std::size_t at : known)
+    if (at < end) is_known[at] = true;
+  const Layout little = best_layout_of(some, from, bytes, is_known, false),
+               big = best_layout_of(some, from, bytes, is_known, true);
   std::vector<Guessed> all;
-  for (std::size_t at = from; at < end; at += all.back().size) {
-    Guessed one = byte_at(frames, at);
-    if (one.looks == Guessed::Looks::constant && !all.empty())
-      if (const auto next = next_float(frames, at, end, all.back())) one = *next;
-    if (one.looks == Guessed::Looks::byte)
-      if (const auto number = number_at(frames, at, end)) one = *number;
-    all.push_back(one);
-  }
+  for (const NumberPlace& place : (big.bits < little.bits ? big : little).places)
+    all.push_back(place.size == 1 ? byte_at(frames, place.at)
+                  : place.is_real ? real_at(frames, place)
+                                  : integer_at(frames, place));
   return all;
 }
 

@@ -3,12 +3,10 @@
 #include <string_view>
 #include <vector>
 
-#include "drivers/wire/codec.hpp"
+#include "drivers/survey/number_cost.hpp"
 
 /// What the bytes of frames look like: constants, counters, numbers.
 namespace drydock::survey {
-
-using Frames = std::vector<wire::Bytes>;
 
 /// Bytes of each frame that are read together.
 struct Guessed {
@@ -23,7 +21,10 @@ struct Guessed {
 /// True if nine of ten frames have the first one's byte there.
 bool is_constant(const Frames& frames, std::size_t at);
 
-/// The bytes from `from` up to `end`, which all frames have, in order and without gaps.
-std::vector<Guessed> guess_numbers(const Frames& frames, std::size_t from, std::size_t end);
+/// The bytes from `from` up to `end`, which all frames have, in order: of all ways to cut them into
+/// numbers of one byte order the one that takes fewest bits. Bytes that are `known` are left out;
+/// no number reaches over one.
+std::vector<Guessed> guess_numbers(const Frames& frames, std::size_t from, std::size_t end,
+                                   const std::vector<std::size_t>& known = {});
 
 }  // namespace drydock::survey

@@ -4,18 +4,18 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
 #include <optional>
 #include <set>
 
 #include "drivers/survey/left_out.hpp"
+#include "drivers/survey/sentence_forms.hpp"
 #include "drivers/wire/text_fields.hpp"
 
 namespace drydock::survey {
 namespace {
 
 /// What a description takes: rig_config/schema/device.schema.json.
-constexpr std::size_t most_columns = 32, most_sentences = 64, longest_id = 16;
+constexpr std::size_t most_columns = 32, longest_id = 16;
 
 /// What one column of a kind of sentence held.
 struct Column {
@@ -62,20 +62,9 @@ bool is_id(std::string_view word) {
   return plain && word.size() >= 2 && word.size() <= longest_id;
 }
 
-/// How a sentence is cut into fields: at commas behind its id, or at one character behind each
-/// number, as in $C320.5P0.2R-18.3T20.1 and "PRS 12.50,8.1".
-struct SentenceForm {
-  std::string id;
-  std::string ends;  ///< empty: commas
-  std::size_t fields = 0;
-
-  auto operator<=>(const SentenceForm&) const =
-      default;  // NOLINT(modernize-use-nullptr): clang 14 takes it for a 0
-};
-
 struct CutSentence {
   SentenceForm form;
-  std::vector<std::string_view> fields;
+  SentenceRow fields;
 };
 
 /// Characters of the number with which the text begins.
@@ -87,7 +76,7 @@ std::size_t leading_number(std::string_view text) {
 
 std::optional<CutSentence> cut_at_commas(std::string_view body) {
   wire::TextFields words(body);
-  CutSentence cut{{std::string(words.text()), {}, 0}, {}};
+  CutSentence cut{{std::string(words.text()), {}, {}, 0}, {}};
   if (!is_id(cut.form.id) || words.remaining() == 0 || words.remaining() > most_columns) return {};
   while (words.remaining() > 0) cut.fields.push_back(words.text());
   cut.form.fields = cut.fields.size();
@@ -97,7 +86,7 @@ std::optional<CutSentence> cut_at_commas(std::string_view body) {
 std::optional<CutSentence> cut_at_letters(std::string_view body) {
   const std::size_t head = std::min(body.find_first_of("+-0123456789."), body.size());
   const std::string_view word = body.substr(0, head);  // blanks belong to the number behind it
-  CutSentence cut{{std::string(word.substr(0, word.find_last_not_of(' ') + 1)), {}, 0}, {}};
+  CutSentence cut{{std::string(word.substr(0, word.find_last_not_of(' ') + 1)), {}, {}, 0}, {}};
   if (!is_id(cut.form.id)) return {};
   for (std::string_view rest = body.substr(head); !rest.empty();) {
     const std::size_t size = leading_number(rest);
@@ -117,16 +106,16 @@ std::optional<CutSentence> cut_at_letters(std::string_view body) {
 class Names {
  public:
   /// Empty: the one that the id gives will do.
-  std::string of(const std::string& id, bool first_form) {
-    std::string given = id;
+  std::string of(const SentenceForm& form, bool first_form) {
+    std::string given = form.id;
     std::erase_if(given, [](char c) { return c == '$' || c == '!' || c == '-'; });
-    if (first_form && taken_.insert(given).second) return {};
+    if (form.sub_id.empty() && first_form && taken_.insert(given).second) return {};
     std::string letters;
-    for (const char c : given)
-      if (std::isalnum(static_cast<unsigned char>(c)) != 0) letters += c;
+    for (const char c : given + (form.sub_id.empty() ? "" : "_") + form.sub_id)
+      if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') letters += c;
     if (letters.empty() || std::isalpha(static_cast<unsigned char>(letters[0])) == 0)
       letters.insert(0, "id_");
-    std::string name;
+    std::string name = form.sub_id.empty() ? "" : letters;
     for (int n = 2; name.empty() || !taken_.insert(name).second; ++n)
       name = fmt::format("{}_{}", letters, n);
     return name;
@@ -136,14 +125,19 @@ class Names {
   std::set<std::string, std::less<>> taken_;
 };
 
-std::string sentence_text(const SentenceForm& form, const std::vector<Column>& columns,
+std::string sentence_text(const SentenceForm& form, const std::vector<SentenceRow>& rows,
                           const std::string& name) {
+  std::vector<Column> columns(form.fields);
+  for (const SentenceRow& row : rows)
+    for (std::size_t i = 0; i < columns.size(); ++i) columns[i].add(row[i]);
   std::string out = fmt::format("\n[[protocol.sentences]]          # {} times\n{} = \"{}\"\n",
-                                columns[0].rows, form.ends.empty() ? "id" : "head", form.id);
+                                rows.size(), form.ends.empty() ? "id" : "head", form.id);
   if (!name.empty()) out += fmt::format("name = \"{}\"\n", name);
   out += "fields = [\n";
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    std::string field = column_text(columns[i], i);
+    std::string field = i == 0 && !form.sub_id.empty()
+                            ? fmt::format("  {{ text = \"{}\" }},", form.sub_id)
+                            : column_text(columns[i], i);
     if (i < form.ends.size())
       field.insert(field.find(" }"), fmt::format(", ends = \"{}\"", form.ends[i]));
     out += field + "\n";
@@ -154,7 +148,7 @@ std::string sentence_text(const SentenceForm& form, const std::vector<Column>& c
 }  // namespace
 
 std::string guess_sentences(const std::vector<std::string_view>& lines, const LineSum& sum) {
-  std::map<SentenceForm, std::vector<Column>> forms;
+  SentenceForms forms;
   LeftOut left_out;
   for (const std::string_view line : lines) {
     const std::string_view body = sum.checksum == "none" ? line : line.substr(0, line.rfind('*'));
@@ -164,17 +158,15 @@ std::string guess_sentences(const std::vector<std::string_view>& lines, const Li
       left_out.add(line);
       continue;
     }
-    auto& columns = forms[cut->form];
-    columns.resize(cut->fields.size());
-    for (std::size_t i = 0; i < columns.size(); ++i) columns[i].add(cut->fields[i]);
+    forms[cut->form].push_back(cut->fields);
   }
   if (forms.empty()) return {};
   std::string out = fmt::format("\n[protocol]\nchecksum = \"{}\"\n", sum.checksum);
   if (sum.from == 0 && sum.checksum != "none") out += "checksum_from = 0\n";
   Names names;
   std::string_view before;
-  for (const auto& [form, columns] : forms) {
-    out += sentence_text(form, columns, names.of(form.id, form.id != before));
+  for (const auto& [form, rows] : with_sub_ids(forms)) {
+    out += sentence_text(form, rows, names.of(form, form.id != before));
     before = form.id;
   }
   return out + left_out.text();

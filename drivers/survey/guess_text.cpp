@@ -54,8 +54,12 @@ std::string guess_text(wire::Bytes capture) {
       lines, [](std::string_view line) { return line[0] == '$' || line[0] == '!'; });
   const bool without = 2 * static_cast<std::size_t>(sentences) > lines.size();
   if (sum.checksum != "none" || without) return guess_sentences(lines, sum);
-  const auto hex = guess_hex_lines(lines);
-  return hex.empty() ? guess_lines(lines) : hex;
+  auto hex = guess_hex_lines(lines);
+  if (!hex.empty()) return hex;
+  const LinesGuess by_numbers = guess_lines(lines);
+  if (by_numbers.lines * 10 > lines.size() * 9) return by_numbers.text;
+  const LinesGuess by_places = guess_fixed_lines(lines);
+  return by_places.lines > by_numbers.lines ? by_places.text : by_numbers.text;
 }
 
 }  // namespace drydock::survey

@@ -15,15 +15,17 @@ std::size_t exponent_at(std::string_view text) {
 }
 
 /// A sign belongs to the number where nothing that a minus could join stands before: "D-0.5" and
-/// "D-5" have a letter and a number, "COM-1" is a name.
-bool is_sign(std::string_view line, std::size_t at) {
+/// "D-5" have a letter and a number, and so has "P-5" behind the number of "H0484P-5", which ends
+/// at `number_end`; "COM-1" is a name.
+bool is_sign(std::string_view line, std::size_t at, std::size_t number_end) {
   if (line[at] != '-' && line[at] != '+') return false;
   if (at == 0 || (!is_digit(line[at - 1]) && !is_letter(line[at - 1]))) return true;
   if (is_digit(line[at - 1])) return false;
   const std::size_t behind = line.find_first_not_of("0123456789", at + 1);
   const bool has_point = behind != line.npos && line[behind] == '.';
   const bool letter_alone = at < 2 || (!is_letter(line[at - 2]) && !is_digit(line[at - 2]));
-  return has_point || letter_alone;
+  const bool behind_number = at >= 2 && number_end + 1 == at;
+  return has_point || letter_alone || behind_number;
 }
 
 /// True if 0x stands here, and a hexadecimal digit behind it.
@@ -38,7 +40,7 @@ bool is_behind_hex_prefix(std::string_view line, std::size_t at) {
 }
 
 /// Characters of the number that begins here; 0: none does.
-std::size_t number_at(std::string_view line, std::size_t at) {
+std::size_t number_at(std::string_view line, std::size_t at, std::size_t number_end) {
   if (is_hex_prefix(line, at)) return 0;
   if (is_behind_hex_prefix(line, at)) {
     std::size_t stop = at;
@@ -46,7 +48,7 @@ std::size_t number_at(std::string_view line, std::size_t at) {
     return stop - at;
   }
   const char before = at == 0 ? ' ' : line[at - 1];
-  const bool has_sign = is_sign(line, at);
+  const bool has_sign = is_sign(line, at, number_end);
   const std::size_t digits = at + (has_sign ? 1 : 0);
   std::size_t i = digits;
   while (i < line.size() && is_digit(line[i])) ++i;
@@ -76,8 +78,9 @@ std::size_t gap_at(std::string_view line, std::size_t at) {
 
 LineCut cut_at_numbers(std::string_view line) {
   LineCut cut;
+  std::size_t number_end = line.size();
   for (std::size_t i = 0; i < line.size();) {
-    std::size_t size = cut.numbers.size() < most_groups ? number_at(line, i) : 0;
+    std::size_t size = cut.numbers.size() < most_groups ? number_at(line, i, number_end) : 0;
     if (size == 0 && cut.numbers.size() < most_groups) size = gap_at(line, i);
     if (size == 0) {
       // The digits of a name are not looked at one by one.
@@ -93,6 +96,7 @@ LineCut cut_at_numbers(std::string_view line) {
     cut.hexadecimal.push_back(is_behind_hex_prefix(line, i));
     cut.texts.emplace_back();
     i += size;
+    number_end = i;
   }
   return cut;
 }

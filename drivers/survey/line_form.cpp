@@ -32,10 +32,10 @@ bool differ_in_a_value(std::string_view a, std::string_view b, bool at_end) {
   const std::size_t most = std::min(a.size(), b.size()) - before;
   while (behind < most && a[a.size() - 1 - behind] == b[b.size() - 1 - behind]) ++behind;
   while (behind > 0 && is_of_word(a[a.size() - behind])) --behind;
-  constexpr std::size_t longest = 12;
+  constexpr std::size_t longest_word = 12;
   const std::string_view one = a.substr(before, a.size() - behind - before),
                          other = b.substr(before, b.size() - behind - before);
-  if (std::max(one.size(), other.size()) > longest) return false;
+  if (std::max(one.size(), other.size()) > longest_word) return false;
   if (at_end) return true;
   const auto is_word = [](std::string_view text) {
     return !text.empty() && std::ranges::all_of(text, is_letter);

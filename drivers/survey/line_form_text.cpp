@@ -5,49 +5,10 @@
 #include <algorithm>
 
 #include "drivers/survey/left_out.hpp"
+#include "drivers/survey/pattern_text.hpp"
 
 namespace drydock::survey {
 namespace {
-
-/// A letter that is not of ASCII, such as a degree sign, or a byte of one.
-constexpr bool is_foreign(char c) { return static_cast<unsigned char>(c) >= 0x80; }
-
-/// Text as RE2 takes it literally, inside a literal string of TOML, which has no apostrophe.
-/// Letters that are not of ASCII may be any, and may be left out.
-std::string regex_of(std::string_view text) {
-  constexpr std::string_view foreign = "[^ -~]*";
-  std::string out;
-  for (const char c : text) {
-    if (is_foreign(c))
-      out += out.ends_with(foreign) ? std::string_view() : foreign;
-    else if (c == '\'' || c == '\t')
-      out += fmt::format("\\x{:02x}", static_cast<unsigned>(c));
-    else if (is_letter(c) || is_digit(c) ||
-             std::string_view(" ,;:=#%&/<>@_~\"!").find(c) != std::string_view::npos)
-      out += c;
-    else
-      out += {'\\', c};
-  }
-  return out;
-}
-
-/// In a basic string of TOML.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (is_foreign(c)) continue;
-    if (c == '\t') {
-      out += "\\t";
-      continue;
-    }
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out;
-}
-
-/// What a description takes: rig_config/schema/device.schema.json.
-constexpr std::size_t longest_head = 32, longest_pattern = 512;
 
 std::string_view head_of_text(std::string_view text) {
   const auto other = std::ranges::find_if(text, [](char c) { return c == '\t' || is_foreign(c); });
@@ -100,13 +61,6 @@ std::string field_text(const Numbers& column, std::size_t i) {
   return fmt::format("  {{ group = \"c{0}\", name = \"column_{0}\", {1} }},  # {2} to {3}{4}\n",
                      i + 1, form, column.low, column.high,
                      column.gaps.empty() ? "" : ", sometimes none");
-}
-
-/// A bracket that begins no group.
-std::string with_double_brackets(std::string_view text) {
-  std::string out;
-  for (const char c : text) out.append(c == '{' ? 2 : 1, c);
-  return out;
 }
 
 }  // namespace

@@ -1,12 +1,10 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include <bit>
 #include <random>
 
 #include "drivers/survey/guess.hpp"
-#include "drivers/wire/bytes.hpp"
-#include "drivers/wire/described/checksums.hpp"
+#include "tests/drivers/described/made_frames.hpp"
 #include "tests/drivers/described/support.hpp"
 
 /// First descriptions of frames laid out as the makers' documents say, with values like a sensor's.
@@ -18,36 +16,6 @@ using ::testing::Not;
 using wire::testing::Buffer;
 
 constexpr int count = 1000;
-
-template <class T>
-void put(Buffer& frame, T value, bool big = false) {
-  std::array<std::uint8_t, sizeof(T)> raw{};
-  std::memcpy(raw.data(), &value, sizeof(T));
-  if (big) std::ranges::reverse(raw);
-  frame.insert(frame.end(), raw.begin(), raw.end());
-}
-
-void put_checksum(Buffer& frame, std::string_view name, std::size_t from, bool big) {
-  wire::described::Checksum checksum;
-  ASSERT_TRUE(wire::described::Checksum::find(name, checksum));
-  const std::uint32_t sum = checksum.of(wire::Bytes(frame).subspan(from));
-  if (checksum.size() == 2)
-    put(frame, static_cast<std::uint16_t>(sum), big);
-  else
-    put(frame, sum, big);
-}
-
-/// A value that wanders about 0 with this standard deviation.
-class Wander {
- public:
-  explicit Wander(double sigma, std::uint32_t seed) : sigma_(sigma), random_(seed) {}
-  double next() { return value_ += normal_(random_) * sigma_ * 0.14 - 0.01 * value_; }
-
- private:
-  double sigma_, value_ = 0;
-  std::mt19937 random_;
-  std::normal_distribution<> normal_;
-};
 
 /// EM 3000: status 90h, sync 90h, roll, pitch, heave, heading in .01 deg and cm, low byte first.
 TEST(GuessedFrames, ASmallNumberWithASignHasItsOrder) {
