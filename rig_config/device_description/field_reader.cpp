@@ -68,9 +68,10 @@ class FieldReader {
     const Node* constant = table_.find(context_.form == Form::binary ? "is" : "text");
     const bool value = table_.find("field") || table_.find("name");
     const Node* skipped = table_.find("skip");
-    if (value + (constant != nullptr) + (skipped != nullptr) != 1)
+    const bool sign = table_.find("sign_of") != nullptr;
+    if (value + (constant != nullptr) + (skipped != nullptr) + sign != 1)
       add(table_, fmt::format("a field has one of: 'field' or 'name' (a value), '{}' (a constant), "
-                              "'skip'",
+                              "'sign_of', 'skip'",
                               context_.form == Form::binary ? "is" : "text"));
     if (const Node* group = table_.find("group")) add(*group, "only for a line with a 'pattern'");
     read(table_, "name", field_.key);
@@ -125,7 +126,7 @@ class FieldReader {
                                     did_you_mean(word->text, names), listed(names)));
     field_.at = static_cast<std::uint16_t>(found - names.begin());
     read_text_type(nullptr, nullptr);
-    if (!table_.find("field")) field_.key = word->text;
+    if (!table_.find("field") && field_.type != Type::sign) field_.key = word->text;
     read(table_, "name", field_.key);
   }
 
@@ -146,11 +147,23 @@ class FieldReader {
     if (skipped) field_.type = Type::ignored;
     if (constant) field_.type = Type::constant;
     read(table_, "text", field_.text);
+    read_sign();
     read(table_, "optional", field_.optional);
     if (const Node* end = table_.find("ends")) {
       field_.end = end->text.empty() ? '\0' : end->text[0];
       field_.closed = field_.end != '\0' && field_.end != ' ';  // blanks may stand behind any text
     }
+  }
+
+  void read_sign() {
+    const Node* of = table_.find("sign_of");
+    if (!of) return;
+    field_.type = Type::sign;
+    field_.text = "+";
+    field_.minus = "-";
+    read(table_, "plus", field_.text);
+    read(table_, "minus", field_.minus);
+    if (field_.text == field_.minus) add(*of, "'plus' and 'minus' are the same");
   }
 
   void read_place() {

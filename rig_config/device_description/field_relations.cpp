@@ -34,6 +34,16 @@ struct Relations {
     fields[i].divisor = static_cast<std::uint8_t>(found - fields.begin());
   }
 
+  void find_signed() {
+    const Node* of = table.find("sign_of");
+    if (!of) return;
+    const auto found = std::ranges::find(fields, of->text, &Field::key);
+    if (found == fields.end())
+      return add(*of, path + "/sign_of", "names a field of this message that has the sign");
+    found->signed_apart = true;
+    fields[i].sign_of = static_cast<std::uint8_t>(found - fields.begin());
+  }
+
   void check_key() {
     const std::string& key = fields[i].key;
     const auto first = std::ranges::find(fields, key, &Field::key) - fields.begin();
@@ -62,6 +72,7 @@ void relate_fields(std::span<const Node> tables, bool in_order, std::vector<Fiel
   for (std::size_t i = 0; i < fields.size(); ++i) {
     Relations one{file, fmt::format("{}/fields/{}", path, i), tables[i], fields, i, problems};
     one.find_divisor();
+    one.find_signed();
     one.check_key();
     if (!in_order) continue;
     one.check_optional();

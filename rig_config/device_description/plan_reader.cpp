@@ -180,6 +180,8 @@ class PlanReader {
     message.line = line;
     message.divides =
         std::ranges::any_of(read, [](const Field& f) { return f.divisor.has_value(); });
+    message.has_signs =
+        std::ranges::any_of(read, [](const Field& f) { return f.type == Type::sign; });
     message.fields = static_cast<std::uint16_t>(count);
     message.mapped = mapped(read);
     if (frames_)

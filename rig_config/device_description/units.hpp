@@ -15,6 +15,9 @@ struct WireUnit {
   double factor = 1, offset = 0;
 };
 
+/// 5430.5 is 54 degrees and 30.5 minutes: no factor tells it.
+inline constexpr std::string_view degrees_and_minutes = "ddmm";
+
 /// The units that a description can name. Pressures: NIST SP 811 (2008) and ISO 80000-4. psi: lbf
 /// of standard gravity over a square inch; mH2O and inHg: conventional, with 1000 and 13595.1
 /// kg/m3.
@@ -65,6 +68,7 @@ inline constexpr auto wire_units = [] {
       {"mrad", d::angle, 1e-3},
       {"deg", d::angle, units::degree},
       {"arcmin", d::angle, units::degree / 60},
+      {degrees_and_minutes, d::angle, units::degree},
       {"rad/s", d::turn_rate},
       {"mrad/s", d::turn_rate, 1e-3},
       {"deg/s", d::turn_rate, units::degree},

@@ -83,6 +83,21 @@ void divide(Record& record) {
   }
 }
 
+void apply_signs(Record& record) {
+  if (!record.message->has_signs) return;
+  const auto fields = record.plan->fields_of(*record.message);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (fields[i].type != Type::sign) continue;
+    const std::string_view sign = record.values[i].text;
+    Value& value = record.values[fields[i].sign_of];
+    if (value.state != Value::State::number) continue;
+    if (sign == fields[i].minus)
+      value.number = -value.number;
+    else if (sign != fields[i].text)
+      value.state = Value::State::none;
+  }
+}
+
 std::optional<double> wire_number(std::span<const Field> fields, const Field& field,
                                   const Readings& readings) {
   if (field.validity)

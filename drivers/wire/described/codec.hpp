@@ -54,6 +54,8 @@ inline void take_number(const Field& field, double number, Value& value) {
 void take_validity(const Field& field, const Value& raw, std::string_view text, Record& record);
 /// Divides the fields that are a distance in a time.
 void divide(Record& record);
+/// Gives fields the signs that stand apart. One without its sign has no value.
+void apply_signs(Record& record);
 
 /// The number that a field has on the wire; empty: there is no value.
 std::optional<double> wire_number(std::span<const Field> fields, const Field& field,

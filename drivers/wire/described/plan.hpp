@@ -29,6 +29,7 @@ enum class Type : std::uint8_t {
   hex_signed,  ///< the same in two's complement, of as many bits as its digits have
   text,        ///< any text; only shown
   constant,    ///< exactly `text`, in a binary message the integer `idle`
+  sign,        ///< text: `text` where the field `sign_of` is positive, `minus` where it is negative
   ignored,
   unsigned_integer,
   signed_integer,
@@ -63,6 +64,10 @@ struct Field {
   std::uint8_t rank = 1;  ///< of fields with one target the lowest with a value counts
   std::optional<std::uint8_t> divisor;  ///< the field of this message by which it is divided
   std::optional<Validity> validity;
+  std::uint8_t sign_of = 0;              ///< of a sign: the field of this message that it has
+  std::string minus;                     ///< of a sign
+  bool signed_apart = false;             ///< a sign of another field has this one's
+  bool degrees_minutes = false;          ///< text: 5430.5 is 54 degrees and 30.5 minutes
   std::uint8_t decimals = 3, width = 0;  ///< as an emulated device writes it
   char sign = 0;    ///< and before a number that is not negative: '+', ' '; 0: nothing
   double idle = 0;  ///< number that an emulated device sends without target
@@ -103,6 +108,7 @@ struct Message {
   std::vector<std::uint8_t> mapped;  ///< its fields with a target, by rank
   bool publishes = false;            ///< a field is part of a measurement
   bool divides = false;              ///< a field has a divisor
+  bool has_signs = false;            ///< a field is the sign of another one
   bool emulated = false;             ///< an emulated device sends it with each sample
   /// The message, by its place, that says the same: this one is no measurement while that one
   /// comes.

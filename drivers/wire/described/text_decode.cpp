@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "drivers/wire/described/codec.hpp"
 #include "drivers/wire/plain_number.hpp"
@@ -69,10 +70,18 @@ std::optional<double> number_with_comma(std::string_view text) {
   return number_in({copy.data(), text.size()});
 }
 
+/// Of degrees and minutes; 60 minutes and more are none.
+std::optional<double> degrees_of(double number) {
+  const double degrees = std::trunc(number / 100), minutes = number - 100 * degrees;
+  if (std::abs(minutes) >= 60) return {};
+  return degrees + minutes / 60;
+}
+
 std::optional<double> number_of(const Plan& plan, const Field& field, std::string_view text) {
   if (field.type == Type::hex || field.type == Type::hex_signed)
     return parse_hex_number(text, field.type == Type::hex_signed);
-  return plan.decimal_comma ? number_with_comma(text) : number_in(text);
+  const auto number = plan.decimal_comma ? number_with_comma(text) : number_in(text);
+  return number && field.degrees_minutes ? degrees_of(*number) : number;
 }
 
 /// False: the text cannot be this field.
@@ -80,6 +89,10 @@ bool take(const Plan& plan, const Field& field, std::string_view text, std::size
           Record& record) {
   Value& value = record.values[i];
   value = {};
+  if (field.type == Type::sign) {
+    value = {Value::State::text, 0, without_blanks(text)};
+    return true;
+  }
   if (field.type == Type::text) {
     value = {Value::State::text, 0, text};
     if (field.validity) take_validity(field, value, text, record);
@@ -172,6 +185,7 @@ bool decode_cuts(const Plan& plan, const FlatText& flat, const Cuts& cuts, Recor
     else if (!take(plan, fields[i], cuts[i], i, record))
       return false;
   }
+  apply_signs(record);
   divide(record);
   return true;
 }
@@ -189,6 +203,7 @@ bool decode_pattern(const Plan& plan, const Message& message, std::string_view t
     if (found.empty() && fields[i].validity) record.valid = false;
     if (!found.empty() && !take(plan, fields[i], found, i, record)) return false;
   }
+  apply_signs(record);
   divide(record);
   return true;
 }

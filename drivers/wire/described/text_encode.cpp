@@ -50,6 +50,14 @@ void write_number(const Plan& plan, const Field& field, double number, FieldWrit
   line.text(digits);
 }
 
+/// 54.5083 degrees are 5430.5, with so many decimals of a minute: 60 minutes are never written.
+double with_minutes(double degrees, unsigned decimals) {
+  const double unit = std::pow(10, decimals);
+  const double total = std::round(std::abs(degrees) * 60 * unit),
+               whole = std::floor(total / (60 * unit));
+  return std::copysign(100 * whole + (total - whole * 60 * unit) / unit, degrees);
+}
+
 /// False: the field has no value, and a line has no way to say so.
 bool write_field(const Plan& plan, std::span<const Field> fields, const Field& field,
                  const Readings& readings, FieldWriter& line) {
@@ -63,7 +71,14 @@ bool write_field(const Plan& plan, std::span<const Field> fields, const Field& f
                                                  : field.validity->good_texts.front());
     return true;
   }
-  const auto number = wire_number(fields, field, readings);
+  if (field.type == Type::sign) {
+    const auto of = wire_number(fields, fields[field.sign_of], readings);
+    if (of) line.text(*of < 0 ? field.minus : field.text);
+    return of || plan.form == Form::sentences;
+  }
+  auto number = wire_number(fields, field, readings);
+  if (number && field.signed_apart) number = std::abs(*number);
+  if (number && field.degrees_minutes) number = with_minutes(*number, field.decimals);
   if (number) write_number(plan, field, *number, line);
   return number || plan.form == Form::sentences || field.optional;
 }
