@@ -36,7 +36,14 @@ wire::Bytes ByteContent::of(wire::Bytes block) {
   if (raw_) return block;
   const wire::Bytes content = head_.without(block);
   if (!is_hex_ && !content.empty()) is_hex_ = is_hex_text(content);
-  return is_hex() ? decoded(content) : content;
+  return is_hex() ? decoded(content) : stamps_.without(content);
+}
+
+std::string ByteContent::note() const {
+  if (is_hex()) return "hexadecimal text, read as the bytes that it means";
+  if (stamps_.lines() == 0) return {};
+  return "a logger's stamps around " + std::to_string(stamps_.lines()) +
+         " sentences were left out (format=raw keeps them)";
 }
 
 /// A half byte at the end of a line is none: the next line begins with a whole one.

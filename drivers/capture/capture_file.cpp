@@ -14,6 +14,7 @@ CaptureFile::CaptureFile(const std::string& file, std::string_view format, std::
 std::optional<Record> CaptureFile::next() {
   for (;;) {
     while (auto record = frames_.next()) {
+      if (record->time) record->time = times_.of(record->interface, *record->time);
       if (interface_.empty() || record->interface == interface_) return record;
     }
     if (at_end_) return std::nullopt;

@@ -10,7 +10,7 @@ struct Sign {
   std::string_view magic, advice;
 };
 
-constexpr std::array<Sign, 8> signs{{
+constexpr std::array<Sign, 10> signs{{
     {"\x1F\x8B", "it is compressed: unpack it first with gunzip -k"},
     {"\x28\xB5\x2F\xFD", "it is compressed: unpack it first with unzstd"},
     {"\xFD"
@@ -19,6 +19,10 @@ constexpr std::array<Sign, 8> signs{{
     {"BZh", "it is compressed: unpack it first with bunzip2 -k"},
     {"PK\x03\x04", "it is an archive: unpack it first with unzip"},
     {"\x89MCAP", "it is an MCAP recording: drydock info and drydock replay read it"},
+    {"MDF     ",
+     "it is ASAM's MF4, which is not read: export asc or blf with the program of its logger"},
+    {"UnFinMF ",
+     "it is ASAM's MF4, which is not read: export asc or blf with the program of its logger"},
     {"\xFF\xFE", "it is text in UTF-16: convert it first with iconv -f UTF-16 -t UTF-8"},
     {"\xFE\xFF", "it is text in UTF-16: convert it first with iconv -f UTF-16 -t UTF-8"},
 }};

@@ -39,6 +39,7 @@ class FrameCapture {
   bool unknown() const { return unknown_; }
   std::string_view advice() const { return advice_; }  ///< foreign_content() of what is unknown
   const Tally& tally() const { return tally_; }
+  std::string_view note() const { return reader_ ? reader_->note() : std::string_view(); }
 
  private:
   Bytes rest() const { return Bytes{buffer_}.subspan(at_); }

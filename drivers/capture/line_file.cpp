@@ -97,7 +97,11 @@ std::string LineFile::trouble() const {
   const auto found = lines();
   const std::string_view kind =
       std::ranges::all_of(found, &PacketLines::Line::serial) ? "serial line" : "line";
-  if (found.empty()) return file_ + ": none of its packets is of a serial line, of UDP or of TCP";
+  if (found.empty()) {
+    const auto lost = packets_->damage("*");
+    return file_ + ": none of its packets is of a serial line, of UDP or of TCP" +
+           (lost.empty() ? "" : "; " + lost);
+  }
   if (interface_.empty() && found.size() > 1)
     return fmt::format("{} has several {}s: {}; --interface chooses one, in a link interface=",
                        file_, kind, names_of(found));

@@ -32,8 +32,8 @@ class LineFile {
   bool likely_more(Bytes last) const { return packets_ || blocks_.likely_more(last); }
   /// The lines of a file of packets, as far as it was read.
   std::vector<PacketLines::Line> lines() const;
-  bool is_hex() const { return content_.is_hex(); }  ///< hexadecimal text, as its bytes
-  int error() const { return blocks_.error(); }      ///< errno; 0: none
+  std::string note() const { return content_.note(); }  ///< as ByteContent::note()
+  int error() const { return blocks_.error(); }         ///< errno; 0: none
   /// Empty, or why there are no bytes: the file cannot be read, or it holds several lines and none
   /// was chosen.
   std::string trouble() const;
@@ -42,6 +42,8 @@ class LineFile {
   std::string damage(const std::string& line) const {
     return packets_ ? packets_->damage(line) : std::string();
   }
+  /// As SteadyTimes::in_words(), of what was read so far, whatever its line.
+  std::string clock_note() const { return packets_ ? packets_->times().in_words() : std::string(); }
 
  private:
   bool begin();

@@ -39,6 +39,7 @@ std::optional<PacketLines::Piece> PacketLines::piece(std::size_t line,
                                                      std::optional<std::chrono::nanoseconds> time,
                                                      Bytes bytes) {
   if (bytes.empty()) return {};
+  if (time) time = times_.of(lines_[line].name, *time);
   lines_[line].bytes += bytes.size();
   return Piece{time, line, bytes};
 }
@@ -48,8 +49,9 @@ std::optional<PacketLines::Piece> PacketLines::read_serial(const CapturedPacket&
   constexpr std::size_t event_at = 8, header = 12;  // seconds, microseconds, event, lines, footer
   constexpr std::uint8_t received = 2;              // DATA_RX_START
   if (packet.bytes.size() < header || packet.bytes[event_at] != received) return {};
-  return piece(line_of(std::string(packet.interface), true), packet.time,
-               packet.bytes.subspan(header));
+  const auto line = line_of(std::string(packet.interface), true);
+  lines_[line].cut += packet.cut;
+  return piece(line, packet.time, packet.bytes.subspan(header));
 }
 
 PacketLines::Conversation& PacketLines::conversation(const NetworkSegment& segment) {
@@ -63,15 +65,29 @@ PacketLines::Conversation& PacketLines::conversation(const NetworkSegment& segme
   return at->second;
 }
 
+/// Empty: of another network, or a fragment whose packet is not whole yet.
+std::optional<LinkPayload> PacketLines::whole_packet(const CapturedPacket& packet) {
+  auto payload = link_payload(packet.link_type, packet.bytes);
+  if (!payload) return {};
+  if (payload->protocol == protocol_ipv4 && is_ipv4_fragment(payload->bytes)) {
+    const auto whole = fragments_.take(payload->bytes, packet.time);
+    if (!whole) return {};
+    payload->bytes = *whole;
+  } else if (const auto sender = sender_of_fragment(*payload); !sender.empty()) {
+    ++fragments_v6_[sender];
+    return {};
+  }
+  return payload;
+}
+
 std::optional<PacketLines::Piece> PacketLines::read_network(const CapturedPacket& packet) {
-  const auto payload = link_payload(packet.link_type, packet.bytes);
-  if (const auto sender = payload ? sender_of_fragment(*payload) : ""; !sender.empty())
-    return ++fragments_[sender], std::nullopt;
+  const auto payload = whole_packet(packet);
   const auto segment = payload ? network_segment(*payload) : std::nullopt;
   if (!segment || (segment->payload.empty() && !segment->begins)) return {};
   if (segment->payload.empty() && !conversations_.contains({segment->sender, segment->receiver}))
     return {};
   Conversation& talk = conversation(*segment);
+  lines_[talk.line].cut += packet.cut;
   if (!segment->stream) return piece(talk.line, packet.time, segment->payload);
   talk.time = packet.time;
   if (segment->begins) talk.order.begin(segment->sequence);
@@ -83,15 +99,26 @@ std::string PacketLines::damage(const std::string& line) const {
   std::uint64_t lost = 0;
   for (const auto& [ends, talk] : conversations_)
     if (line == "*" || lines_[talk.line].name == line) lost += talk.order.lost_bytes();
-  std::uint64_t fragments = 0;
-  for (const auto& [sender, count] : fragments_)
-    if (line == "*" || line.starts_with(sender + ":")) fragments += count;
-  std::string text;
-  if (lost > 0) text = fmt::format("{} bytes of TCP are not in the file", lost);
+  const auto of_line = [&](const std::string& sender) {
+    return line == "*" || line.starts_with(sender + ":");
+  };
+  std::uint64_t fragments =
+      fragments_.left_over(line == "*" ? line : line.substr(0, line.find(':')));
+  for (const auto& [sender, count] : fragments_v6_)
+    if (of_line(sender)) fragments += count;
+  std::uint64_t cut = 0;
+  for (const auto& one : lines_)
+    if (line == "*" || line == one.name) cut += one.cut;
+  std::vector<std::string> parts;
+  if (lost > 0) parts.push_back(fmt::format("{} bytes of TCP are not in the file", lost));
+  if (cut > 0)
+    parts.push_back(
+        fmt::format("{} packets are cut short, so their ends are not in the file: "
+                    "record whole ones (tcpdump -s 0)",
+                    cut));
   if (fragments > 0)
-    text += fmt::format("{}{} fragments of IP packets passed over", text.empty() ? "" : "; ",
-                        fragments);
-  return text;
+    parts.push_back(fmt::format("{} fragments of IP packets passed over", fragments));
+  return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 std::optional<PacketLines::Piece> PacketLines::finish() {

@@ -5,9 +5,11 @@
 #include <variant>
 #include <vector>
 
+#include "drivers/capture/formats/ip_fragments.hpp"
 #include "drivers/capture/formats/network_segment.hpp"
 #include "drivers/capture/formats/pcap.hpp"
 #include "drivers/capture/formats/pcapng.hpp"
+#include "drivers/capture/steady_times.hpp"
 #include "drivers/capture/stream_order.hpp"
 
 namespace drydock::capture {
@@ -20,6 +22,7 @@ class PacketLines {
     std::string name;  ///< of a serial line, or the sender's address and port
     bool serial = false;
     std::uint64_t bytes = 0;
+    std::uint64_t cut = 0;  ///< packets of which the file has only the begin
   };
   struct Piece {
     std::optional<std::chrono::nanoseconds> time;  ///< UTC since 1970
@@ -39,9 +42,10 @@ class PacketLines {
   std::optional<Piece> finish();
 
   const std::vector<Line>& lines() const { return lines_; }
-  /// In words, what of a line is not there: bytes that nobody recorded, and fragments of its
-  /// sender. Empty: nothing. `line`: a name, or "*".
+  /// In words, what of a line is not there: bytes that nobody recorded, packets that were cut
+  /// short, fragments of its sender that made no packet. Empty: nothing. `line`: a name, or "*".
   std::string damage(const std::string& line) const;
+  const SteadyTimes& times() const { return times_; }
 
  private:
   struct Conversation {
@@ -51,6 +55,7 @@ class PacketLines {
   };
   std::optional<Piece> read_serial(const CapturedPacket& packet);
   std::optional<Piece> read_network(const CapturedPacket& packet);
+  std::optional<LinkPayload> whole_packet(const CapturedPacket& packet);
   Conversation& conversation(const NetworkSegment& segment);
   std::optional<Piece> piece(std::size_t line, std::optional<std::chrono::nanoseconds> time,
                              Bytes bytes);
@@ -59,7 +64,9 @@ class PacketLines {
   std::variant<Pcap, Pcapng> file_;
   std::vector<Line> lines_;
   std::map<std::pair<std::string, std::string>, Conversation> conversations_;
-  std::map<std::string, std::uint64_t> fragments_;  ///< passed over, by the sender's address
+  IpFragments fragments_;
+  std::map<std::string, std::uint64_t> fragments_v6_;  ///< passed over, by the sender's address
+  SteadyTimes times_;
 };
 
 }  // namespace drydock::capture

@@ -21,6 +21,8 @@ class Reader {
   virtual Reading read(Bytes unit) = 0;
   /// More frames of the unit that was read last, for formats that put several frames into one unit.
   virtual std::optional<Record> more() { return std::nullopt; }
+  /// What a person must know of how it reads this file; empty: nothing.
+  virtual std::string_view note() const { return {}; }
 };
 
 /// A text format: lines ended by LF, CR or CR LF.
@@ -28,7 +30,7 @@ class LineReader : public Reader {
  public:
   static constexpr std::size_t longest_line = 2048;
 
-  Scan scan(Bytes bytes, bool at_end) final;
+  Scan scan(Bytes bytes, bool at_end) override;
   Reading read(Bytes unit) final;
 
  protected:

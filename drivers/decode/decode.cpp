@@ -140,8 +140,10 @@ bool decode_frames(const Make& make, wire::Network network, FileBlocks& blocks,
     receive(bus->second, record, network, sink);
   };
   if (!read_records(blocks, frames, on_record, [&] { return sink.flush(); })) return false;
-  for (const auto& [name, decoder] : buses)
+  for (auto& [name, decoder] : buses) {
+    if constexpr (requires { decoder.finish(); }) decoder.finish();
     counters.bad_checksums += decoder.counters().bad_checksums;
+  }
   counters.frames = frames.tally().frames;
   counters.bytes_skipped = frames.tally().bytes_skipped;
   sink.finish();
@@ -258,7 +260,7 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
     return refuse(err, capture::unknown_format_text(file, capture), terminal::exit_failed);
   if (!written) return refuse(err, "cannot write the output", terminal::exit_failed);
   if (!options.quiet) {
-    if (line.is_hex()) fmt::print(err, "hexadecimal text, read as the bytes that it means\n");
+    if (const auto note = line.note(); !note.empty()) fmt::print(err, "{}\n", note);
     print_totals(err, counters, sink.messages(), capture);
     if (const auto damage = line.damage(); !damage.empty()) fmt::print(err, "{}\n", damage);
     print_passed_over(err, sink);

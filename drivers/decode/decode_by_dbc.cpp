@@ -78,6 +78,11 @@ class Messages {
     fmt::print(err, "{} frames, {} messages, {} of them cut short, {} frames without a message\n",
                frames_, total(), cut, unknown);
     if (unknown > 0) print_unknown(err);
+    std::uint64_t incomplete = 0;
+    for (const auto& [name, bus] : transports_)
+      incomplete += bus.counters().dropped + bus.counters().headless + bus.unfinished();
+    if (incomplete > 0)
+      fmt::print(err, "{} messages of several frames are not whole\n", incomplete);
   }
 
  private:

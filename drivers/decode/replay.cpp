@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "drivers/capture/line_file.hpp"
+#include "drivers/decode/bus_choice.hpp"
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/shell/device_actor.hpp"
@@ -178,7 +179,7 @@ device::HealthAccount play_in_virtual_time(const link::Uri& uri, std::unique_ptr
     fmt::print(totals, "{}\n", times.in_words());
     print_totals(totals, driver.device().health(clock.now()),
                  bus ? &bus->frames().tally() : nullptr);
-    if (line && !line->damage().empty()) fmt::print(totals, "{}\n", line->damage());
+    for (const auto& note : bus ? bus->notes() : line->notes()) fmt::print(totals, "{}\n", note);
   }
   return account;
 }
@@ -213,11 +214,33 @@ class Hearer final : public device::Listener, public device::Transmitter {
   const MeasurementHook& hook_;
 };
 
+/// The options with the bus of the device, where a capture has several. Throws std::runtime_error
+/// with one line.
+ReplayOptions on_its_bus(ReplayOptions options) {
+  const link::Uri all = uri_of(options);
+  if (!make_device(options, all)->on_bus()) return options;
+  const auto count = [&](const std::string& interface) {
+    ReplayOptions of_one = options;
+    of_one.interface = interface;
+    std::uint64_t measurements = 0;
+    const MeasurementHook counting = [&](const auto&) { ++measurements; };
+    Hearer hearer(counting);
+    const auto uri = uri_of(of_one);
+    auto device = make_device(of_one, uri);
+    const auto clock = readable_clock(uri, *device);
+    play_in_virtual_time(uri, std::move(device), clock, hearer, hearer, nullptr);
+    return measurements;
+  };
+  if (auto bus = bus_of_device(all, count); !bus.empty()) options.interface = std::move(bus);
+  return options;
+}
+
 }  // namespace
 
 Played play(const ReplayOptions& options, const MeasurementHook& hook) {
-  const link::Uri uri = uri_of(options);
-  auto device = make_device(options, uri);
+  const auto wanted = on_its_bus(options);
+  const link::Uri uri = uri_of(wanted);
+  auto device = make_device(wanted, uri);
   const auto kind = device->options().driver.kind;
   const auto clock = readable_clock(uri, *device);
   Hearer hearer(hook);
@@ -233,8 +256,13 @@ int refuse_replay(std::FILE* err, const std::string& why, int code) {
 }
 
 /// Throws std::runtime_error if the capture cannot be read.
-int play_aloud(const link::Uri& uri, std::unique_ptr<Device> device, std::FILE* out,
-               std::FILE* totals) {
+int play_aloud(const ReplayOptions& options, std::FILE* out, std::FILE* totals) {
+  const auto wanted = on_its_bus(options);
+  const link::Uri uri = uri_of(wanted);
+  auto device = make_device(wanted, uri);
+  if (totals != nullptr && wanted.interface != options.interface)
+    fmt::print(totals, "bus {}: no other in the capture has measurements of the device\n",
+               wanted.interface);
   Printer printer(out, totals);
   if (uri.speed().value_or(0) > 0) {
     play_in_real_time(std::move(device), printer, totals);
@@ -249,16 +277,13 @@ int play_aloud(const link::Uri& uri, std::unique_ptr<Device> device, std::FILE* 
 }  // namespace
 
 int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err) {
-  std::optional<link::Uri> uri;
-  std::unique_ptr<Device> device;
   try {
-    uri = uri_of(options);
-    device = make_device(options, *uri);
+    make_device(options, uri_of(options));
   } catch (const std::exception& error) {
     return refuse_replay(err, error.what(), terminal::exit_usage);
   }
   try {
-    return play_aloud(*uri, std::move(device), out, options.quiet ? nullptr : err);
+    return play_aloud(options, out, options.quiet ? nullptr : err);
   } catch (const std::exception& error) {
     return refuse_replay(err, error.what(), terminal::exit_failed);
   }

@@ -42,7 +42,8 @@ enum class Cause : std::uint8_t {
   mounting,
   scale,
   wrong_rate,
-  line_full
+  line_full,
+  device_error
 };
 
 /// One row a cause.

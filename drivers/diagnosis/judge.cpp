@@ -21,6 +21,7 @@ std::chrono::milliseconds memory_of(Sign sign) {
     case Sign::clock_drift:
     case Sign::heat:
     case Sign::refuses:
+    case Sign::error_report:
     case Sign::rate_unexpected:
     case Sign::line_full:
     case Sign::step: return std::chrono::milliseconds{1500};
@@ -49,6 +50,15 @@ void fill_evidence(Finding& finding, std::span<const Symptom> signs, Sign decide
     if (symptom.sign != decided) add_evidence(finding, symptom);
 }
 
+/// A silence grows while it lasts.
+void renew_durations(Finding& finding, std::span<const Symptom> signs) {
+  for (Evidence& one : finding.evidence) {
+    if (one.sign != Sign::silent) continue;
+    const auto seen = std::ranges::find(signs, one.sign, &Symptom::sign);
+    if (seen != signs.end()) one.value = std::max(one.value, seen->value);
+  }
+}
+
 }  // namespace
 
 Judge::Judge(std::size_t devices, FindingListener& to) : cases_(devices), to_(to) {}
@@ -72,7 +82,10 @@ void Judge::settle(Stamp now) {
     forget_old(one, now);
     const std::span<const Symptom> signs{one.signs.data(), one.signs.size()};
     const auto verdict = verdict_on(signs);
-    if (one.finding && verdict && verdict->cause == one.finding->cause) continue;
+    if (one.finding && verdict && verdict->cause == one.finding->cause) {
+      renew_durations(*one.finding, signs);
+      continue;
+    }
     const auto since = end(one, now);
     if (verdict) begin(one, static_cast<std::uint16_t>(device), *verdict, since, now);
   }

@@ -44,7 +44,8 @@ std::string_view to_string(Sign sign) {
                                                           "impossible values",
                                                           "satellites gone",
                                                           "signals changed",
-                                                          "heat"});
+                                                          "heat",
+                                                          "reported errors"});
   static_assert(names.size() == sign_count);
   return names[static_cast<std::size_t>(sign)];
 }

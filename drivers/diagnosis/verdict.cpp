@@ -67,6 +67,7 @@ constexpr auto rules = std::to_array<Rule>({
     {Sign::offset, Cause::bias, 0.8},
     {Sign::clock_drift, Cause::clock_drift, 0.8},
     {Sign::refuses, Cause::nak, 0.9},
+    {Sign::error_report, Cause::device_error, 0.9},
 });
 
 constexpr std::uint64_t bit_of(Sign sign) {

@@ -24,6 +24,11 @@ boost::system::result<link::Uri, link::UriError> parse_without_baud(const std::s
   return link::parse_uri(with_key(text, "baud", "9600"));
 }
 
+std::string why_no_link(const std::string& text, const link::UriError& error) {
+  const auto trouble = path_trouble(text);
+  return trouble.empty() ? error.message : trouble;
+}
+
 /// Other programs that have the port open, in words: each byte goes to only one of them.
 std::string others_at(const link::Uri& uri) {
   const bool pty = uri.scheme == link::Scheme::pty || uri.scheme == link::Scheme::can_auto;
@@ -51,14 +56,12 @@ bool search(const ProbeOptions& options, const link::Uri& uri, std::FILE* err,
 
 /// Adds the most frequent cause of silence or noise.
 void note_nothing(const link::Uri& uri, ProbeReport& report) {
-  if (uri.carries() != Carries::bytes || report.confidence() != survey::Confidence::nothing) return;
+  if (uri.recorded() || uri.carries() != Carries::bytes ||
+      report.confidence() != survey::Confidence::nothing)
+    return;
   std::uint64_t bytes = 0;
   for (const auto& attempt : report.attempts) bytes += attempt.bytes;
   if (report.attempts.empty()) return;
-  if (uri.recorded() && bytes == 0) {
-    report.notes.push_back("the file holds no bytes but comments (format=raw keeps them)");
-    return;
-  }
   report.notes.push_back(
       bytes == 0
           ? "silence: no power, receive and transmit exchanged, or a sensor that waits to be "
@@ -77,7 +80,7 @@ ProbeReport find_sensors(const std::string& link, double duration_s) {
   options.duration_s = duration_s;
   const auto uri = parse_without_baud(report.link);
   if (!uri) {
-    report.notes.push_back(uri.error().message);
+    report.notes.push_back(why_no_link(report.link, uri.error()));
   } else if (search(options, *uri, stderr, report)) {
     note_nothing(*uri, report);
   }
@@ -89,7 +92,7 @@ int probe(const ProbeOptions& options, std::FILE* out, std::FILE* err) {
   report.link = typed_link(options.link);
   const auto uri = parse_without_baud(report.link);
   if (!uri) {
-    fmt::print(err, "probe: {}\n", uri.error().message);
+    fmt::print(err, "probe: {}\n", why_no_link(report.link, uri.error()));
     return terminal::exit_usage;
   }
   if (!search(options, *uri, err, report)) {

@@ -170,6 +170,16 @@ class BusSearch {
 
 }  // namespace
 
+namespace {
+
+void note_sensors(const survey::Node& node, const std::string& link, ProbeReport& report) {
+  for (const auto& sensor : node.sensors)
+    report.devices.push_back(
+        {"", sensor.kind, std::string(sensor.protocol), link, sensor.rate_hz, node.address});
+}
+
+}  // namespace
+
 void note_bus(const survey::BusSurvey& survey, const std::string& link, ProbeReport& report) {
   report.frames = survey.frames();
   report.nodes = survey.nodes();
@@ -177,10 +187,24 @@ void note_bus(const survey::BusSurvey& survey, const std::string& link, ProbeRep
   report.bits_per_second = survey.bits_per_second();
   if (auto hint = survey::bit_rate_hint(report.complaints, report.frames); !hint.empty())
     report.notes.push_back(std::move(hint));
-  for (const survey::Node& node : report.nodes)
-    for (const auto& sensor : node.sensors)
-      report.devices.push_back(
-          {"", sensor.kind, std::string(sensor.protocol), link, sensor.rate_hz, node.address});
+  for (const survey::Node& node : report.nodes) note_sensors(node, link, report);
+  survey::name_devices(report.devices);
+}
+
+void note_one_bus(const survey::BusSurvey& survey, const std::string& bus, const std::string& link,
+                  ProbeReport& report) {
+  report.frames += survey.frames();
+  report.buses.push_back({bus, survey.frames(), survey.bits_per_second()});
+  const auto complaints = survey.complaints();
+  if (const auto hint = survey::bit_rate_hint(complaints, survey.frames()); !hint.empty())
+    report.notes.push_back(bus + ": " + hint);
+  for (const auto& one : complaints)
+    report.complaints.push_back({bus + ": " + one.text, one.frames});
+  for (survey::Node node : survey.nodes()) {
+    if (!link.empty()) note_sensors(node, link, report);
+    node.bus = bus;
+    report.nodes.push_back(std::move(node));
+  }
   survey::name_devices(report.devices);
 }
 

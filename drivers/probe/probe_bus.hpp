@@ -4,6 +4,10 @@
 
 namespace drydock::probe {
 
+/// Adds the results of one bus of a recording of several. Empty `link`: none names it.
+void note_one_bus(const survey::BusSurvey& survey, const std::string& bus, const std::string& link,
+                  ProbeReport& report);
+
 /// Listens on a CAN bus until `until` or Ctrl-C, or until the sensors of every node are certain.
 bool search_bus(const LineSearch& search, Ear& ear, Progress& progress, ProbeReport& report);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 
 #include "drivers/capture/arrival_times.hpp"
 #include "drivers/capture/foreign_content.hpp"
@@ -11,6 +12,7 @@
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/probe/probe_bus.hpp"
 #include "drivers/probe/probe_line.hpp"
+#include "drivers/probe/unknown_file.hpp"
 #include "drivers/shell/recording_clock.hpp"
 
 namespace drydock::probe {
@@ -24,23 +26,48 @@ bool tells_arrival(const link::Uri& uri) {
   return capture::arrival_times_of(file).are_told();
 }
 
+/// The buses of a capture by their names: each has its own nodes.
+struct Buses {
+  std::map<std::string, survey::BusSurvey, std::less<>> surveys;
+  std::optional<Stamp> first, last;
+
+  void take(const capture::Record& record, bool timed,
+            const survey::BusSurvey::Descriptions& descriptions) {
+    if (timed) last = std::max(last.value_or(Stamp{*record.time}), Stamp{*record.time});
+    if (!first) first = last;
+    auto bus = surveys.find(record.interface);
+    if (bus == surveys.end())
+      bus = surveys.try_emplace(std::string(record.interface), descriptions).first;
+    bus->second.receive(record.frame, timed ? Stamp{*record.time} : Stamp{});
+  }
+};
+
+/// The link of one line or bus of the file; empty: the name cannot stand in a link.
+std::string link_to(const link::Uri& uri, const std::string& name, ProbeReport& report) {
+  auto text = with_key(uri.text, "interface", name);
+  if (!name.empty() && link::parse_uri(text)) return text;
+  report.notes.push_back("the name \"" + name +
+                         "\" cannot stand in a link: drydock decode "
+                         "--interface takes it");
+  return {};
+}
+
 /// Surveys a CAN capture, in its own time. False if the content is no CAN capture.
 bool read_frames(const link::Uri& uri, const survey::BusSurvey::Descriptions& descriptions,
                  ProbeReport& report) {
   auto file = link::capture_of(uri);
-  survey::BusSurvey survey(descriptions);
-  Stamp first{}, last{};
+  Buses buses;
   const bool timed = tells_arrival(uri);
-  bool any = false;
-  while (const auto record = file.next()) {
-    any = true;
-    if (timed) last = Stamp{*record->time};
-    if (survey.frames() == 0) first = last;
-    survey.receive(record->frame, last);
-  }
-  if (!file.trouble().empty() || !any) return false;
-  report.listened_s = measurement::seconds(last - first);
-  note_bus(survey, uri.text, report);
+  while (const auto record = file.next()) buses.take(*record, timed, descriptions);
+  if (!file.trouble().empty() || buses.surveys.empty()) return false;
+  if (buses.first) report.listened_s = measurement::seconds(*buses.last - *buses.first);
+  for (auto note : {std::string(file.frames().note()), file.times().in_words()})
+    if (!note.empty()) report.recording.push_back(std::move(note));
+  if (buses.surveys.size() == 1)
+    note_bus(buses.surveys.begin()->second, uri.text, report);
+  else
+    for (const auto& [name, survey] : buses.surveys)
+      note_one_bus(survey, name, link_to(uri, name, report), report);
   if (!timed) report.notes.emplace_back("the capture keeps no times of arrival: no rates");
   return true;
 }
@@ -85,8 +112,9 @@ bool read_line(const link::Uri& uri, const ProbeOptions& options, ProbeReport& r
   survey.finish();
   if (first && last)
     report.listened_s = std::max(report.listened_s, measurement::seconds(*last - *first));
-  if (const auto damage = line.damage(); !damage.empty()) report.notes.push_back(damage);
-  if (line.is_hex()) report.notes.emplace_back("hexadecimal text, read as the bytes that it means");
+  for (auto note : {line.damage(), line.clock_note(), line.note()})
+    if (!note.empty() && std::ranges::find(report.recording, note) == report.recording.end())
+      report.recording.push_back(std::move(note));
   note_line(survey, std::string(uri.text_of("interface")), uri.text, report);
   note_times(uri, options, report);
   return true;
@@ -112,11 +140,8 @@ bool read_lines(const link::Uri& uri, const ProbeOptions& options, ProbeReport& 
   report.has_lines = true;
   bool any = false;
   for (const auto& line : lines) {
-    const auto one = link::parse_uri(with_key(uri.text, "interface", line.name));
-    if (!one)
-      report.notes.push_back("the name of the line \"" + line.name +
-                             "\" cannot stand in a link: drydock decode --interface takes it");
-    any = (one && read_line(*one, options, report)) || any;
+    const auto one = link_to(uri, line.name, report);
+    any = (!one.empty() && read_line(link::parse_uri(one).value(), options, report)) || any;
   }
   return any;
 }
@@ -126,10 +151,19 @@ bool read_bytes(const link::Uri& uri, const ProbeOptions& options, ProbeReport& 
   const bool raw = uri.text_of("format") == "raw";
   const bool several = !raw && uri.text_of("interface").empty() && capture::has_packets(uri.target);
   if (several && read_lines(uri, options, report)) return true;
-  if (const auto advice = capture::foreign_content(capture::FileBlocks(uri.target).read());
-      !advice.empty())
-    report.notes.emplace_back(advice);
-  return !several && read_line(uri, options, report);
+  if (several) {
+    capture::LineFile line(uri.target, false);
+    line.next();
+    const auto trouble = line.trouble();
+    report.notes.push_back(trouble.empty() ? "none of its lines can be read" : trouble);
+    return false;
+  }
+  const auto advice = capture::foreign_content(capture::FileBlocks(uri.target).read());
+  if (!advice.empty()) report.notes.emplace_back(advice);
+  if (!read_line(uri, options, report)) return false;
+  if (advice.empty() && report.attempts.back().findings.empty())
+    report.notes.push_back(what_it_may_be(uri.target, raw));
+  return true;
 }
 
 }  // namespace

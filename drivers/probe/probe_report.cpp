@@ -5,98 +5,8 @@
 #include <algorithm>
 
 #include "drivers/survey/node_names.hpp"
-#include "drivers/text/json_lines.hpp"
-
-namespace drydock::survey {
-
-// The parts of the report as JSON. The names are those of the text.
-
-template <class F>
-void visit_fields(const MessageCount& m, F&& field) {
-  field("type", m.type);
-  field("count", m.count);
-  field("rate_hz", m.rate_hz);
-}
-
-template <class F>
-void visit_fields(const UnreadCount& u, F&& field) {
-  field("name", u.name);
-  field("count", u.count);
-}
-
-template <class F>
-void visit_fields(const ByteFinding& f, F&& field) {
-  field("protocol", f.protocol);
-  field("confidence", to_string(f.confidence));
-  field("good_frames", f.proofs);
-  field("bad_frames", f.bad_checksums);
-  field("bytes", f.bytes);
-  field("explained", f.explained());
-  field("messages", f.messages);
-  field("unread", f.unread);
-}
-
-template <class F>
-void visit_fields(const Traffic& t, F&& field) {
-  field("id", t.number);
-  field("frames", t.frames);
-  field("rate_hz", t.rate_hz);
-}
-
-template <class F>
-void visit_fields(const Complaint& c, F&& field) {
-  field("error", c.text);
-  field("frames", c.frames);
-}
-
-template <class F>
-void visit_fields(const FoundDevice& d, F&& field) {
-  field("name", d.name);
-  field("kind", to_string(d.kind));
-  field("protocol", d.protocol);
-  field("link", d.link);
-  field("rate_hz", d.rate_hz);
-  field("address", d.address);
-  field("block", survey::rig_block(d));
-}
-
-std::string_view to_string(survey::NodeKind kind) {
-  switch (kind) {
-    case survey::NodeKind::j1939: return "j1939";
-    case survey::NodeKind::canopen: return "canopen";
-    case survey::NodeKind::plain: return "plain";
-  }
-  return {};
-}
-
-template <class F>
-void visit_fields(const Node& n, F&& field) {
-  field("kind", to_string(n.kind));
-  field("address", n.address);
-  field("frames", n.frames);
-  field("confidence", to_string(n.confidence));
-  field("name", n.name);
-  field("name_in_words", n.name ? std::optional{survey::in_words(*n.name)} : std::nullopt);
-  field("state", n.state ? std::optional{wire::canopen::to_string(*n.state)} : std::nullopt);
-  field("booted", n.booted);
-  field("emergency", n.emergency);
-  field("device_type", n.device_type);
-  field("vendor_id", n.vendor_id);
-  field("product_code", n.product_code);
-  field("traffic", n.traffic);
-}
-
-}  // namespace drydock::survey
 
 namespace drydock::probe {
-
-template <class F>
-void visit_fields(const LineAttempt& a, F&& field) {
-  field("setting", a.setting);
-  field("link", a.link);
-  field("bytes", a.bytes);
-  field("findings", a.findings);
-}
 
 namespace {
 
@@ -178,6 +88,17 @@ void print_bus(const ProbeReport& report, std::FILE* out) {
   for (const auto& node : report.nodes) print_node(node, out);
 }
 
+void print_buses(const ProbeReport& report, std::FILE* out) {
+  for (const auto& c : report.complaints) fmt::print(out, "  {} x {}\n", c.frames, c.text);
+  for (const auto& bus : report.buses) {
+    fmt::print(out, "  {}: {} frames{}\n", bus.bus, bus.frames,
+               bus.bits_per_second ? fmt::format(", {:.1f} kbit/s", *bus.bits_per_second / 1000)
+                                   : std::string());
+    for (const auto& node : report.nodes)
+      if (node.bus == bus.bus) print_node(node, out);
+  }
+}
+
 /// Of the settings of one port the last is the best; lines of a file all count.
 bool counts(const ProbeReport& report, std::size_t attempt) {
   return report.has_lines || attempt + 1 == report.attempts.size();
@@ -188,6 +109,12 @@ std::string shared_text(const ProbeReport& report) {
 }
 
 }  // namespace
+
+std::vector<std::string> all_notes(const ProbeReport& report) {
+  auto notes = report.recording;
+  notes.insert(notes.end(), report.notes.begin(), report.notes.end());
+  return notes;
+}
 
 survey::Confidence ProbeReport::confidence() const {
   survey::Confidence best = survey::Confidence::nothing;
@@ -215,8 +142,9 @@ std::vector<std::string> problems_of(const ProbeReport& report) {
     problems.push_back(fmt::format("{} error frames: {}", c.frames, c.text));
   for (const Node& n : report.nodes)
     if (n.emergency && n.emergency->code != 0)
-      problems.push_back(fmt::format("{}: emergency {:04X}h: {}", node_title(n), n.emergency->code,
-                                     wire::canopen::error_text(n.emergency->code)));
+      problems.push_back(fmt::format(
+          "{}{}: emergency {:04X}h: {}", n.bus.empty() ? "" : n.bus + ": ", node_title(n),
+          n.emergency->code, wire::canopen::error_text(n.emergency->code)));
   return problems;
 }
 
@@ -225,31 +153,11 @@ void print_text(const ProbeReport& report, std::FILE* out) {
              report.interrupted ? ", interrupted" : "");
   for (std::size_t i = 0; i < report.attempts.size(); ++i)
     print_attempt(report.attempts[i], counts(report, i), out);
-  print_bus(report, out);
+  report.buses.empty() ? print_bus(report, out) : print_buses(report, out);
   if (!report.shared_with.empty()) fmt::print(out, "  {}\n", shared_text(report));
-  for (const auto& note : report.notes) fmt::print(out, "  {}\n", note);
+  for (const auto& note : all_notes(report)) fmt::print(out, "  {}\n", note);
   if (!report.devices.empty()) fmt::print(out, "\n# for a rig file:\n");
   for (const auto& device : report.devices) fmt::print(out, "\n{}", survey::rig_block(device));
-}
-
-void print_json(const ProbeReport& report, std::FILE* out) {
-  text::JsonLines lines(out);
-  lines.line([&](text::JsonWriter& json) {
-    json.field("link", report.link);
-    json.field("listened_s", report.listened_s);
-    json.field("interrupted", report.interrupted);
-    json.field("confidence", to_string(report.confidence()));
-    json.field("attempts", report.attempts);
-    json.field("frames", report.frames);
-    json.field("bits_per_second", report.bits_per_second);
-    json.field("bitrate", report.bitrate);
-    json.field("nodes", report.nodes);
-    json.field("errors", report.complaints);
-    json.field("notes", report.notes);
-    json.field("problems", problems_of(report));
-    json.field("devices", report.devices);
-  });
-  lines.flush();
 }
 
 }  // namespace drydock::probe

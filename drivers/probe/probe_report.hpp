@@ -18,6 +18,13 @@ struct LineAttempt {
   std::vector<survey::ByteFinding> findings;  ///< the best first
 };
 
+/// The traffic of one of the buses in a recording of several.
+struct BusTraffic {
+  std::string bus;
+  std::uint64_t frames = 0;
+  std::optional<double> bits_per_second;
+};
+
 /// The complete result of a probe of one link.
 struct ProbeReport {
   std::string link;
@@ -26,11 +33,13 @@ struct ProbeReport {
   std::vector<LineAttempt> attempts;  ///< byte lines; the best last
   bool has_lines = false;             ///< a file of packets: each attempt is a line of its own
   std::uint64_t frames = 0;           ///< number of CAN frames
+  std::vector<BusTraffic> buses;      ///< of a recording of several; else empty
   std::vector<survey::Node> nodes;
   std::vector<survey::Complaint> complaints;
   std::optional<double> bits_per_second;
-  std::optional<unsigned> bitrate;  ///< as the kernel reports it
-  std::vector<std::string> notes;   ///< sentences for a person
+  std::optional<unsigned> bitrate;     ///< as the kernel reports it
+  std::vector<std::string> notes;      ///< sentences for a person
+  std::vector<std::string> recording;  ///< the same on the recording: its clock, what is not in it
   std::vector<survey::FoundDevice> devices;
   std::string shared_with;  ///< other programs that read the port, in words; empty: none seen
   bool opened = true;       ///< false: the last note says why not
@@ -46,6 +55,9 @@ ProbeReport find_sensors(const std::string& link, double duration_s);
 /// emergency of a node, a port that another program reads too, a link that could not be opened.
 /// Empty: nothing.
 std::vector<std::string> problems_of(const ProbeReport& report);
+
+/// All sentences for a person, those on the recording first.
+std::vector<std::string> all_notes(const ProbeReport& report);
 
 void print_text(const ProbeReport& report, std::FILE* out);
 void print_json(const ProbeReport& report, std::FILE* out);

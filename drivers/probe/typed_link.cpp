@@ -21,7 +21,7 @@ bool is_can_name(std::string_view text) {
 
 bool is_interface(const std::string& text, const typed_fs::path& root) {
   std::error_code gone;
-  return text.find('/') == std::string::npos &&
+  return !text.empty() && text[0] != '.' && text.find('/') == std::string::npos &&
          typed_fs::exists(root / "sys/class/net" / text, gone);
 }
 
@@ -43,6 +43,17 @@ std::string typed_link(const std::string& text, const std::string& root) {
   if (text.starts_with("/dev/tty") || text.starts_with("/dev/serial/")) return "serial:" + text;
   if (text.starts_with("tty")) return "serial:/dev/" + text;
   return path_link(text);
+}
+
+std::string path_trouble(const std::string& text) {
+  if (text.find(':') != std::string::npos && !text.starts_with('/')) return {};
+  std::error_code gone;
+  if (typed_fs::is_directory(text, gone))
+    return text + " is a folder: name a capture file, a port, a CAN interface or a link";
+  if (!typed_fs::exists(text, gone))
+    return "there is no file, port or CAN interface \"" + text +
+           "\"; a link is scheme:target, as in tcp:10.0.0.1:4001";
+  return {};
 }
 
 }  // namespace drydock::probe

@@ -37,6 +37,13 @@ void RecordedBus::act(Stamp now) {
   read_next();
 }
 
+std::vector<std::string> RecordedBus::notes() const {
+  std::vector<std::string> all;
+  for (auto note : {std::string(file_.frames().note()), file_.times().in_words()})
+    if (!note.empty()) all.push_back(std::move(note));
+  return all;
+}
+
 void RecordedBus::read_next() {
   const auto record = file_.next();
   frame_.reset();

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "drivers/capture/capture_file.hpp"
 #include "drivers/link/uri.hpp"
 #include "drivers/shell/device_actor.hpp"
@@ -21,6 +24,8 @@ class RecordedBus final : public Actor {
   std::optional<Stamp> deadline() const override;
   void act(Stamp now) override;
   const capture::FrameCapture& frames() const { return file_.frames(); }
+  /// What a person must know of its times as far as the file was read.
+  std::vector<std::string> notes() const;
   const RecordingClock& clock() const { return clock_; }
 
  private:

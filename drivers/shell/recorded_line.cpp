@@ -50,12 +50,19 @@ void RecordedLine::begin_packets(const link::Uri& uri) {
   next_ = std::max(start_, due());
 }
 
-/// A time that runs backwards is of a clock that was set: such a read comes at once.
+/// The last line of a recording may have no end, and a sentence waits for it.
+void RecordedLine::end(Stamp now) {
+  constexpr std::uint8_t line_end[] = {'\n'};
+  next_.reset();
+  if (driver_.device().vitals().held_bytes > 0) driver_.receive(wire::Bytes(line_end), now);
+}
+
+/// A read that came before the one in front of it comes at once.
 void RecordedLine::act_on_packet(Stamp now) {
   driver_.receive(read_.bytes, now);
   next_.reset();
   const auto following = packets_->next();
-  if (!following) return;
+  if (!following) return end(now);
   read_ = *following;
   next_ = std::max(now, due());
 }
@@ -68,14 +75,19 @@ void RecordedLine::act(Stamp now) {
   if (packets_) return act_on_packet(now);
   chunk_.resize(next_bytes());
   const std::size_t n = file_.read(chunk_);
-  if (n == 0) {
-    next_.reset();
-    return;
-  }
+  if (n == 0) return end(now);
   delivered_ += n;
   driver_.receive(wire::Bytes(chunk_).first(n), now);
   if (message_ < clock_.times.messages.size()) ++message_;
   schedule(now);
+}
+
+std::vector<std::string> RecordedLine::notes() const {
+  std::vector<std::string> all;
+  if (!packets_) return all;
+  for (auto note : {packets_->damage(), packets_->clock_note()})
+    if (!note.empty()) all.push_back(std::move(note));
+  return all;
 }
 
 std::size_t RecordedLine::next_bytes() const {

@@ -24,12 +24,13 @@ class RecordedLine final : public Actor {
   std::optional<Stamp> deadline() const override { return next_; }
   void act(Stamp now) override;
   const RecordingClock& clock() const { return clock_; }
-  /// As capture::LineFile::damage().
-  std::string damage() const { return packets_ ? packets_->damage() : std::string(); }
+  /// What a person must know of what was read: what is not in the file, a clock that was set.
+  std::vector<std::string> notes() const;
 
  private:
   void begin_packets(const link::Uri& uri);
   void act_on_packet(Stamp now);
+  void end(Stamp now);
   Stamp due() const;  ///< of read_
   /// Bytes of the next step: to the end of the message that the device's clock says, else a few.
   std::size_t next_bytes() const;

@@ -23,6 +23,8 @@ RecordedTimes times_of_bytes(const link::Uri& uri, ClockReader reader) {
                          std::string(uri.text_of("interface")));
   std::array<std::uint8_t, 64> piece;
   while (const std::size_t size = file.read(piece)) reader.feed(wire::Bytes(piece).first(size));
+  constexpr std::uint8_t line_end[] = {'\n'};  // the last line of a recording may have no end
+  reader.feed(wire::Bytes(line_end));
   return reader.finish();
 }
 
@@ -58,9 +60,8 @@ std::optional<std::chrono::nanoseconds> first_packet_time(const link::Uri& uri) 
 
 /// The lines and buses of one file keep their distances, so they count from the first time in it.
 Stamp begin_of_file(const link::Uri& uri, std::chrono::nanoseconds own_first) {
-  if (!capture::has_packets(uri.target)) return Stamp{own_first};
-  const auto read = first_read(uri, "*");
-  const auto record = capture::CaptureFile(uri.target, "", "").next();
+  const auto read = capture::has_packets(uri.target) ? first_read(uri, "*") : std::nullopt;
+  const auto record = capture::CaptureFile(uri.target, uri.text_of("format"), "").next();
   return Stamp{std::min({own_first, read.value_or(own_first),
                          record ? record->time.value_or(own_first) : own_first})};
 }

@@ -37,6 +37,7 @@ struct Node {
   /// sensor.
   std::vector<SensorHeard> sensors;
   Confidence confidence = Confidence::nothing;  ///< in the choice of those sensors
+  std::string bus{};  ///< the one it is on, of a recording of several; else empty
 };
 
 /// An error that the controller reports, in words, and its count.

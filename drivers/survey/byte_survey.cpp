@@ -53,11 +53,23 @@ class CandidateOf final : public ByteCandidate {
         trials_(std::move(trials)) {}
 
   void feed(wire::Bytes bytes, Stamp at) override {
+    last_ = at;
     framer_->feed(bytes, at, scan(), on_frame());
     for (auto& trial : trials_) trial->receive(bytes, at);
   }
 
-  void finish() override { framer_->finish(scan(), on_frame()); }
+  /// The last line of a recording may have no end.
+  void finish() override {
+    constexpr std::uint8_t line_end[] = {'\n'};
+    if (framer_->held() > 0) {
+      lent_ = 1;
+      const auto frames = framer_->counters().frames;
+      framer_->feed(line_end, last_, scan(), on_frame());
+      lent_good_ = framer_->counters().frames > frames ? 1 : 0;
+    }
+    framer_->finish(scan(), on_frame());
+    for (auto& trial : trials_) trial->finish(last_);
+  }
 
   ByteFinding finding() const override {
     const auto& c = framer_->counters();
@@ -66,8 +78,8 @@ class CandidateOf final : public ByteCandidate {
     f.proofs = proofs_;
     f.frames = c.frames;
     f.bad_checksums = c.bad_checksums;
-    f.bytes = c.bytes_in - framer_->held() - skipped_before_;
-    f.bytes_good = c.bytes_good;
+    f.bytes = c.bytes_in - framer_->held() - skipped_before_ - lent_;
+    f.bytes_good = c.bytes_good - lent_good_;
     for (const auto& [type, arrivals] : heard_) {
       f.messages.push_back({type, arrivals.count, arrivals.rate_hz()});
       f.messages_total += arrivals.count;
@@ -117,6 +129,8 @@ class CandidateOf final : public ByteCandidate {
   std::vector<std::pair<std::string_view, Arrivals>> heard_;  ///< in order of first arrival
   std::vector<UnreadCount> unread_;
   std::uint64_t proofs_ = 0, skipped_before_ = 0;
+  std::uint64_t lent_ = 0, lent_good_ = 0;  ///< bytes that finish() added
+  Stamp last_{};
 };
 
 template <class... P>

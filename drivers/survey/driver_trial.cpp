@@ -72,6 +72,13 @@ void DriverTrial::receive(const wire::CanFrame& frame, Stamp at) {
   device_->receive(frame, at);
 }
 
+/// The last line of a recording may have no end.
+void DriverTrial::finish(Stamp at) {
+  constexpr std::uint8_t line_end[] = {'\n'};
+  if (!begun_) return;
+  if (device_->vitals().held_bytes > 0) device_->receive(wire::Bytes(line_end), at);
+}
+
 void DriverTrial::on_measurement(const measurement::Measurement& measurement) {
   ++measurements_;
   if (const auto* imu = std::get_if<measurement::ImuSample>(&measurement)) {

@@ -32,6 +32,7 @@ class DriverTrial final : private device::Listener, private device::Transmitter 
 
   void receive(wire::Bytes bytes, Stamp at);
   void receive(const wire::CanFrame& frame, Stamp at);
+  void finish(Stamp at);  ///< no more comes: what waits in the driver comes out
 
   Kind kind() const { return device_->options().driver.kind; }
   std::string_view protocol() const { return device_->options().driver.protocol; }

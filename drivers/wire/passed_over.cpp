@@ -7,6 +7,7 @@
 
 #include "drivers/wire/bytes.hpp"
 #include "drivers/wire/j1939/j1939.hpp"
+#include "drivers/wire/nmea0183/nmea0183_sentence.hpp"
 #include "drivers/wire/nmea2000/pgn_name.hpp"
 #include "drivers/wire/ubx/rtcm3.hpp"
 #include "drivers/wire/ubx/ubx_frame.hpp"
@@ -82,7 +83,7 @@ std::string pgn_text(std::uint32_t pgn) {
 std::string frame_name(Bytes frame) {
   if (frame.size() >= ubx::overhead && frame[0] == ubx::sync_1) return ubx_name(frame);
   if (frame.size() > rtcm3::header_size + 1 && frame[0] == rtcm3::preamble) return rtcm_name(frame);
-  const std::string word = first_word(frame);
+  const std::string word = first_word(without_tag(frame));
   return word.size() > 1 ? word : fmt::format("frame of {} bytes", frame.size());
 }
 

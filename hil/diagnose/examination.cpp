@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "drivers/diagnosis/judge.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "hil/summary/findings.hpp"
 
@@ -54,7 +55,11 @@ Outcome Examination::result(const std::string& source, measurement::Stamp end, b
   summary::Summary curves;
   scribe_.write(curves);
   outcome.measurements = std::move(curves.measurements);
-  outcome.findings = summary::accounts_of(findings_, rig_, start_);
+  host::FindingLog findings = findings_;  // those that last have grown since they began
+  for (const auto* device : devices_)
+    if (const auto* open = diagnostician_->judge().open(device->index()))
+      findings.on_finding(*open);
+  outcome.findings = summary::accounts_of(findings, rig_, start_);
   if (!has_times) std::erase_if(outcome.findings, is_of_times);
   put_worst_first(outcome.findings);
   outcome.unseen = unseen_in(rig_, outcome.circumstances);

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "drivers/diagnosis/finding_words.hpp"
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/report/html.hpp"
 #include "hil/summary/findings.hpp"
 #include "hil/summary/findings_json.hpp"
@@ -166,7 +167,7 @@ std::string to_json(const Outcome& outcome) {
                                     {"devices", devices},
                                     {"findings", summary::findings_json(outcome.findings)},
                                     {"unseen", unseen_json(outcome.unseen)}};
-  return json.dump(2) + "\n";
+  return text::json_of_any_text(json) + "\n";
 }
 
 std::string to_html(const Outcome& outcome) {

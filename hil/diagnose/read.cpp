@@ -119,7 +119,7 @@ Outcome read_capture(const std::string& path, unsigned baud) {
   if (devices.empty()) {
     Outcome nothing;
     nothing.source = path;
-    nothing.notes = report.notes;
+    nothing.notes = probe::all_notes(report);
     return nothing;
   }
   const auto rig = host::rig_of(devices, path);
@@ -130,6 +130,7 @@ Outcome read_capture(const std::string& path, unsigned baud) {
                       : devices.front()->on_bus() ? clocks.front().first
                                                   : Stamp{};  // bytes begin at zero
   auto outcome = CaptureBench(rig, std::move(devices), clocks, start).play(path, has_times);
+  outcome.notes = report.recording;
   if (std::ranges::count_if(rig.devices, has_axes) > 1)
     outcome.notes.emplace_back(
         "a capture tells no mountings: what one sensor says against another holds where their axes "

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/capture/capture_file.hpp"
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/info/utc.hpp"
 
 namespace drydock::info {
@@ -19,11 +20,7 @@ void add(const capture::Record& record, CaptureInfo& info) {
   if (!record.time) return;
   if (!info.first) info.first = info.last = record.time;
   const auto since_latest = *record.time - *info.last;
-  if (since_latest < since_latest.zero()) {
-    ++info.behind;
-    info.most_behind = std::max(info.most_behind, -since_latest);
-    return;
-  }
+  if (since_latest < since_latest.zero()) return;
   info.longest = std::max(info.longest, since_latest);
   info.last = record.time;
 }
@@ -41,6 +38,9 @@ std::optional<CaptureInfo> capture_info(const std::string& file) {
   while (const auto record = capture.next()) add(*record, info);
   if (!capture.trouble().empty() || capture.frames().format() == nullptr) return {};
   info.format = capture.frames().format()->name;
+  info.note = capture.frames().note();
+  info.behind = capture.times().behind();
+  info.most_behind = capture.times().most_behind();
   info.damage = capture::damage_text(capture.frames().tally());
   std::error_code unknown;
   info.size = std::filesystem::file_size(file, unknown);
@@ -80,9 +80,10 @@ std::string to_json(const CaptureInfo& info, const std::vector<LineInfo>& lines)
                         {"most_behind_s", std::chrono::duration<double>(info.most_behind).count()},
                         {"interfaces", info.interfaces},
                         {"identifiers", info.identifiers.size()},
+                        {"times", info.note},
                         {"damage", info.damage}};
   if (!lines.empty()) all["lines"] = json_of(lines);
-  return all.dump(2) + "\n";
+  return text::json_of_any_text(all) + "\n";
 }
 
 }  // namespace drydock::info

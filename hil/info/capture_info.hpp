@@ -9,13 +9,13 @@
 
 namespace drydock::info {
 
-/// What is in a capture of CAN frames. Times are those of the file.
+/// What is in a capture of CAN frames. Times go on where the recording's clock was set back.
 struct CaptureInfo {
-  std::string file, format, damage;
+  std::string file, format, damage, note;               ///< note: how its times were read
   std::uint64_t size = 0, frames = 0;                   ///< [bytes], all interfaces
   std::optional<std::chrono::nanoseconds> first, last;  ///< last: the latest
   std::chrono::nanoseconds longest{0};                  ///< between two frames
-  std::uint64_t behind = 0;                 ///< frames whose time is before an earlier frame's
+  std::uint64_t behind = 0;  ///< frames whose time in the file is before an earlier frame's
   std::chrono::nanoseconds most_behind{0};  ///< and by how much at most: the host's clock was set
   std::map<std::string, std::uint64_t> interfaces;  ///< frames of each
   std::map<std::uint32_t, std::uint64_t> identifiers;

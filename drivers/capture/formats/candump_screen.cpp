@@ -1,5 +1,7 @@
 #include "drivers/capture/formats/candump_screen.hpp"
 
+#include <map>
+
 #include "drivers/capture/words.hpp"
 #include "drivers/wire/can/candump.hpp"
 
@@ -71,7 +73,50 @@ std::optional<Record> parse(std::string_view line, std::string_view head_interfa
   return record;
 }
 
+/// Empty: more lines must come. On one interface times of arrival never go back, nor are all but
+/// the first the same.
+std::optional<CandumpTimes> times_in(Bytes bytes, bool at_end) {
+  constexpr std::size_t enough = 300, few = 8, longest_head = 64 * 1024;
+  constexpr std::chrono::hours since_start{24 * 365};
+  const bool whole = at_end || bytes.size() >= longest_head;
+  std::map<std::string, std::chrono::nanoseconds, std::less<>> last;
+  std::optional<std::chrono::nanoseconds> usual;
+  std::size_t timed = 0;
+  bool alike = true;
+  while (!bytes.empty() && timed < enough) {
+    const Scan line = scan_line(bytes, at_end);
+    if (line.kind == Scan::Kind::need_more) break;
+    const auto record = parse(text_of(bytes.first(line.size)), "can");
+    bytes = bytes.subspan(line.size);
+    if (!record) continue;
+    if (!record->time || *record->time > since_start) return CandumpTimes::dates;
+    const auto [before, is_new] = last.try_emplace(std::string(record->interface), *record->time);
+    if (*record->time < before->second) return CandumpTimes::pauses;
+    before->second = *record->time;
+    if (++timed > 1) alike = alike && *record->time == *(usual = usual.value_or(*record->time));
+  }
+  if (!whole && timed < enough) return {};
+  if (timed == 0) return CandumpTimes::dates;
+  const bool all_alike = alike && timed > few && usual->count() > 0;
+  return all_alike ? CandumpTimes::pauses : CandumpTimes::since_start;
+}
+
 }  // namespace
+
+Scan CandumpScreen::scan(Bytes bytes, bool at_end) {
+  if (!times_) times_ = times_in(bytes, at_end);
+  return times_ ? LineReader::scan(bytes, at_end) : Scan::need_more();
+}
+
+std::string_view CandumpScreen::note() const {
+  switch (times_.value_or(CandumpTimes::dates)) {
+    case CandumpTimes::pauses:
+      return "its times are the pauses between frames (candump -t d), summed up here";
+    case CandumpTimes::since_start: return "its times count from its start (candump -t z)";
+    case CandumpTimes::dates: break;
+  }
+  return {};
+}
 
 bool CandumpScreen::recognises(std::string_view line) { return parse(line, {}).has_value(); }
 
@@ -82,7 +127,10 @@ Reading CandumpScreen::read_line(std::string_view line) {
     return Reading::nothing();
   }
   if (line[0] == '#') return Reading::nothing();
-  return Reading::of(parse(line, interface_));
+  auto record = parse(line, interface_);
+  if (record && record->time && times_ == CandumpTimes::pauses)
+    record->time = sum_ += *record->time;
+  return Reading::of(record);
 }
 
 }  // namespace drydock::capture

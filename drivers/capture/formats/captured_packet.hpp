@@ -16,6 +16,7 @@ struct CapturedPacket {
   std::optional<std::chrono::nanoseconds> time;  ///< UTC since 1970
   wire::Bytes bytes;
   bool big_endian = false;  ///< the recording computer is, as the file says
+  bool cut = false;         ///< the recording kept only its begin
 };
 
 inline constexpr std::uint32_t linktype_rtac_serial = 250, linktype_can_socketcan = 227;

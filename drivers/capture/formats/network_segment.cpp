@@ -89,13 +89,11 @@ std::optional<NetworkSegment> segment_of(const Transport& transport) {
 
 }  // namespace
 
+std::string ipv4_address(Bytes address) { return address_text(AF_INET, address); }
+
 std::string sender_of_fragment(const LinkPayload& packet) {
-  constexpr std::size_t ipv4_header = 20, ipv6_header = 40;
-  constexpr std::uint16_t more_or_offset = 0x3FFF;
+  constexpr std::size_t ipv6_header = 40;
   const Bytes bytes = packet.bytes;
-  if (packet.protocol == protocol_ipv4 && bytes.size() >= ipv4_header &&
-      (half(bytes, 6) & more_or_offset) != 0)
-    return address_text(AF_INET, bytes.subspan(12, 4));
   if (packet.protocol == protocol_ipv6 && bytes.size() >= ipv6_header && bytes[6] == ipv6_fragment)
     return address_text(AF_INET6, bytes.subspan(8, 16));
   return "";

@@ -16,9 +16,11 @@ struct NetworkSegment {
   wire::Bytes payload;
 };
 
-/// The sender's address, without a port, of a piece of an IP packet: a datagram that is not whole
-/// is none. Empty: the packet is whole.
+/// The sender's address, without a port, of a piece of an IPv6 packet: it is not put together.
+/// Empty: the packet is whole, or is another's.
 std::string sender_of_fragment(const LinkPayload& packet);
+
+std::string ipv4_address(wire::Bytes address);
 
 /// Empty: neither TCP nor UDP, a fragment behind the first, or cut short in its headers. Of a
 /// packet cut short in its payload that which is there.

@@ -78,8 +78,12 @@ std::optional<CapturedPacket> Pcap::packet(Bytes unit) const {
   if (unit.size() <= packet_head || unit.size() != packet_head + number(unit, 8)) return {};
   const std::chrono::nanoseconds fraction{std::int64_t{number(unit, 4)} *
                                           (nanoseconds_ ? 1 : 1000)};
-  return CapturedPacket{link_type_, "can0", std::chrono::seconds{number(unit, 0)} + fraction,
-                        unit.subspan(packet_head), big_endian_};
+  return CapturedPacket{link_type_,
+                        "can0",
+                        std::chrono::seconds{number(unit, 0)} + fraction,
+                        unit.subspan(packet_head),
+                        big_endian_,
+                        number(unit, 8) < number(unit, 12)};
 }
 
 }  // namespace drydock::capture

@@ -109,8 +109,12 @@ std::optional<CapturedPacket> Pcapng::packet_of(Bytes body) const {
   if (index >= interfaces_.size() || size > body.size() - fixed_part) return {};
   const std::uint64_t ticks = std::uint64_t{number(body, 4)} << 32 | number(body, 8);
   const Interface& interface = interfaces_[index];
-  return CapturedPacket{interface.link_type, interface.name, time_of(ticks, interface.resolution),
-                        body.subspan(fixed_part, size), big_endian_};
+  return CapturedPacket{interface.link_type,
+                        interface.name,
+                        time_of(ticks, interface.resolution),
+                        body.subspan(fixed_part, size),
+                        big_endian_,
+                        size < number(body, 16)};
 }
 
 std::optional<CapturedPacket> Pcapng::packet(Bytes unit) const {

@@ -19,6 +19,10 @@ constexpr std::chrono::milliseconds shortest_babel{900};
 constexpr std::chrono::seconds heat_lasts{30};
 /// A device that refuses is asked once in a while.
 constexpr std::chrono::seconds refusal_lasts{60};
+/// A device reports an error when it begins.
+constexpr std::chrono::seconds error_lasts{30};
+/// A node that comes back from a silence says that it has started.
+constexpr std::chrono::seconds comes_back{10};
 /// A rig states rates roughly. What is farther off all the time is a setting.
 constexpr double most_rate_error = 0.3;
 constexpr std::chrono::seconds rate_settles{20};
@@ -53,6 +57,7 @@ void LineMonitor::look_at_state(const Vitals& vitals, Stamp now) {
   const bool silent = vitals.state == State::stale ||
                       (vitals.state == State::waiting && now - vitals.since > patience);
   const Stamp last = vitals.last_message_at.value_or(vitals.since);
+  if (silent) silent_at_ = now;
   if (silent)
     teller_.tell(Sign::silent, last, now,
                  {measurement::seconds(now - last), measurement::seconds(expected_.stale_after),
@@ -115,6 +120,13 @@ void LineMonitor::look_at_reports(const Vitals& vitals, Stamp now) {
   }
   if (now < refused_until_)
     teller_.tell(Sign::refuses, refused_since_, now, {1, 0, "refused settings", ""});
+  const bool was_silent = silent_at_ && now - *silent_at_ < comes_back;
+  if (news && !was_silent && device::tells_error(vitals.last_error.view())) {
+    if (now >= error_until_) error_since_ = now;
+    error_until_ = now + error_lasts;
+  }
+  if (now < error_until_)
+    teller_.tell(Sign::error_report, error_since_, now, {1, 0, "reported errors", ""});
 }
 
 /// Once a device had its rate, other monitors tell a change.

@@ -10,8 +10,8 @@
 namespace drydock::diagnosis {
 
 /// Watches the line of one device by the counters of its driver: silence, lost ports, damaged
-/// frames, foreign bytes, bytes that no one understands, CAN errors, reported heat and refusals, a
-/// rate that is not the one of the rig.
+/// frames, foreign bytes, bytes that no one understands, CAN errors, reported heat, refusals and
+/// errors, a rate that is not the one of the rig.
 class LineMonitor {
  public:
   /// The sink must outlive the monitor.
@@ -37,6 +37,8 @@ class LineMonitor {
   FrameCount frames_;
   Stamp hot_since_{}, hot_until_{};
   Stamp refused_since_{}, refused_until_{};
+  Stamp error_since_{}, error_until_{};
+  std::optional<Stamp> silent_at_;
   std::optional<Stamp> off_rate_since_;
   std::uint64_t bytes_when_off_rate_ = 0;
   bool had_its_rate_ = false;

@@ -45,12 +45,14 @@ std::optional<double> tenths_of_mm(Bytes block, std::size_t offset) {
 }
 
 /// The clock, with its century if the block has one (real-time clock of year 2000 firmware).
+/// Without one the years 90 to 99 are of the last century (Teledyne's manuals, command TS).
 std::optional<std::chrono::local_time<std::chrono::milliseconds>> read_clock(Bytes block) {
   using namespace std::chrono;
   const bool has_century = block.size() >= 65 && block[57] != 0;
   const Bytes at = block.subspan(has_century ? 58 : 4, 7);
-  const year_month_day date{year{(has_century ? block[57] : 20) * 100 + at[0]}, month{at[1]},
-                            day{at[2]}};
+  constexpr int first_of_1900s = 90;
+  const int century = has_century ? block[57] : at[0] < first_of_1900s ? 20 : 19;
+  const year_month_day date{year{century * 100 + at[0]}, month{at[1]}, day{at[2]}};
   if (!date.ok() || at[3] > 23 || at[4] > 59 || at[5] > 59 || at[6] > 99) return std::nullopt;
   return local_days{date} + hours{at[3]} + minutes{at[4]} + std::chrono::seconds{at[5]} +
          milliseconds{10 * at[6]};

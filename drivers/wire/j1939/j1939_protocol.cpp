@@ -12,7 +12,7 @@ std::optional<j1939::TransportMessage> receive_transport(j1939::TransportReceive
   const auto& after = transport.counters();
   const bool lost = after.dropped != before.dropped || after.stray != before.stray;
   counters.bytes_in += payload.size();
-  counters.bad_checksums += after.dropped - before.dropped;
+  counters.bad_checksums += after.dropped + after.headless - before.dropped - before.headless;
   (lost ? counters.bytes_skipped : counters.bytes_good) += payload.size();
   return message;
 }

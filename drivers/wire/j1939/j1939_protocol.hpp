@@ -17,6 +17,8 @@ struct J1939 {
   class Decoder {
    public:
     std::optional<Message> receive(const CanFrame& frame);
+    /// No more frames come: messages that wait for some are lost.
+    void finish() { counters_.bad_checksums += transport_.unfinished(); }
     const StreamCounters& counters() const { return counters_; }
 
    private:

@@ -38,7 +38,7 @@ TransportReceiver::Result TransportReceiver::receive(const Identifier& id, Bytes
   if (id.pgn == transport_data_pgn) {
     Session* session = find(id.source, id.destination);
     if (session != nullptr && !payload.empty()) return packet(*session, payload, now);
-    ++counters_.stray;
+    note_stray(id, payload);
     return {};
   }
   if (const auto c = decode_transport_control(id, payload)) {
@@ -100,6 +100,7 @@ std::optional<CanFrame> TransportReceiver::begin(const TransportControl& c, std:
   if (s && to_us && s->pgn != c.pgn) return refusal(c, TransportControl::already_connected);
   if (s) drop(*s);
   if (!s) s = &free_slot();
+  if (Behind* before = behind(c.source, c.destination)) before->known = false;
   s->busy = true;
   s->priority = priority;
   s->source = c.source;
@@ -136,6 +137,7 @@ TransportReceiver::Result TransportReceiver::packet(Session& s, Bytes payload, T
 /// packet that it granted: an earlier message would disturb the sending.
 std::optional<CanFrame> TransportReceiver::gap(Session& s, unsigned number, Time now) {
   if (s.destination == global_address) {
+    s.next = number + 1;
     drop(s);
     return std::nullopt;
   }
@@ -148,6 +150,7 @@ std::optional<CanFrame> TransportReceiver::gap(Session& s, unsigned number, Time
 
 TransportReceiver::Result TransportReceiver::complete(Session& s) {
   s.busy = false;
+  remember(s.source, s.destination, s.next - 1);
   ++counters_.messages;
   Result result;
   result.message = {{s.priority, s.pgn, s.destination, s.source}, {s.data.data(), s.size}};
@@ -202,6 +205,34 @@ TransportReceiver::Session& TransportReceiver::free_slot() {
 void TransportReceiver::drop(Session& s) {
   s.busy = false;
   ++counters_.dropped;
+  remember(s.source, s.destination, s.next - 1);
+}
+
+/// A message without its announcement is counted once, the rest of a lost one is not.
+void TransportReceiver::note_stray(const Identifier& id, Bytes payload) {
+  ++counters_.stray;
+  if (payload.empty()) return;
+  const Behind* const before = behind(id.source, id.destination);
+  if (before == nullptr || before->number > payload[0]) ++counters_.headless;
+  remember(id.source, id.destination, payload[0]);
+}
+
+TransportReceiver::Behind* TransportReceiver::behind(std::uint8_t source,
+                                                     std::uint8_t destination) {
+  for (Behind& one : behind_)
+    if (one.known && one.source == source && one.destination == destination) return &one;
+  return nullptr;
+}
+
+void TransportReceiver::remember(std::uint8_t source, std::uint8_t destination, unsigned number) {
+  Behind* one = behind(source, destination);
+  if (one == nullptr) one = &behind_[next_behind_++ % behind_.size()];
+  *one = {source, destination, number, true};
+}
+
+std::uint64_t TransportReceiver::unfinished() const {
+  return static_cast<std::uint64_t>(
+      std::count_if(sessions_.begin(), sessions_.end(), [](const auto& s) { return s.busy; }));
 }
 
 }  // namespace drydock::wire::j1939

@@ -29,8 +29,9 @@ class TransportReceiver {
   };
   struct Counters {
     std::uint64_t messages = 0;
-    std::uint64_t dropped = 0;  ///< began but never completed
-    std::uint64_t stray = 0;    ///< frames without a session, or not understood
+    std::uint64_t dropped = 0;   ///< began but never completed
+    std::uint64_t headless = 0;  ///< messages whose announcement did not come
+    std::uint64_t stray = 0;     ///< frames without a session, or not understood
   };
 
   /// Without an own address it only listens.
@@ -42,8 +43,15 @@ class TransportReceiver {
   std::optional<CanFrame> tick(Time now);  ///< call it at or after deadline()
   std::optional<Time> deadline() const;
   const Counters& counters() const { return counters_; }
+  std::uint64_t unfinished() const;  ///< sessions that wait for packets
 
  private:
+  /// The last packet between two nodes that ended a message, or belongs to one that is lost.
+  struct Behind {
+    std::uint8_t source = 0, destination = 0;
+    unsigned number = 0;
+    bool known = false;
+  };
   struct Session {
     bool busy = false;
     std::uint8_t priority = 7, source = 0, destination = 0;
@@ -61,6 +69,9 @@ class TransportReceiver {
   Session* find(std::uint8_t source, std::uint8_t destination);
   Session& free_slot();
   void drop(Session& session);
+  void note_stray(const Identifier& id, Bytes payload);
+  Behind* behind(std::uint8_t source, std::uint8_t destination);
+  void remember(std::uint8_t source, std::uint8_t destination, unsigned number);
   void wait(Session& session, Time now, Time timeout);
   std::optional<CanFrame> control(const TransportControl& control, std::uint8_t priority, Time now);
   std::optional<CanFrame> begin(const TransportControl& control, std::uint8_t priority, Time now);
@@ -72,6 +83,8 @@ class TransportReceiver {
 
   std::optional<std::uint8_t> own_;
   std::array<Session, max_concurrent> sessions_{};
+  std::array<Behind, max_concurrent> behind_{};
+  std::size_t next_behind_ = 0;
   std::uint64_t clock_ = 0;
   Counters counters_;
 };

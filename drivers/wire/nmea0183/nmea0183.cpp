@@ -43,17 +43,48 @@ Scan with_checksum(Bytes bytes, std::size_t star, std::uint8_t checksum) {
   return sent == checksum ? with_line_end(bytes, star + 3) : Scan::bad_checksum();
 }
 
-}  // namespace
+/// Bytes up to the next one that may begin a frame: a sentence, or a TAG block.
+std::size_t before_start(Bytes bytes) {
+  const auto find = [](Bytes in, char what) {
+    const auto* at = static_cast<const std::uint8_t*>(std::memchr(in.data(), what, in.size()));
+    return at != nullptr ? static_cast<std::size_t>(at - in.data()) : in.size();
+  };
+  return find(bytes.first(find(bytes, '$')), '\\');
+}
 
-Scan Nmea0183::scan(Bytes bytes) {
-  if (bytes.empty()) return Scan::need_more();
-  if (bytes[0] != '$') {
-    const auto* start =
-        static_cast<const std::uint8_t*>(std::memchr(bytes.data(), '$', bytes.size()));
-    return Scan::skip(start ? static_cast<std::size_t>(start - bytes.data()) : bytes.size());
+Scan scan_sentence(Bytes bytes);
+
+/// `\...*hh\` and the sentence behind it.
+Scan scan_tagged(Bytes bytes) {
+  constexpr std::size_t longest_tag = 80;  // NMEA 0183 4.00
+  std::uint8_t checksum = 0;
+  std::size_t star = 0;
+  for (std::size_t i = 1; i < longest_tag + 1; ++i) {
+    if (i == bytes.size()) return Scan::need_more();
+    const std::uint8_t c = bytes[i];
+    if (c == '\\') {
+      if (star == 0 || i != star + 3) return Scan::skip(i);
+      const int high = hex_value(bytes[star + 1]), low = hex_value(bytes[star + 2]);
+      if (high < 0 || low < 0 || checksum != high * 16 + low) return Scan::skip(i);
+      if (i + 1 == bytes.size()) return Scan::need_more();
+      if (bytes[i + 1] != '$') return Scan::skip(i + 1);
+      const Scan sentence = scan_sentence(bytes.subspan(i + 1));
+      switch (sentence.kind) {
+        case Scan::Kind::frame: return Scan::frame(i + 1 + sentence.size);
+        case Scan::Kind::need_more: return sentence;
+        default: return Scan::skip(i + 1);  // the sentence is looked at without it
+      }
+    }
+    if (c == '$' || c < 0x20 || c > 0x7e) return Scan::skip(i);
+    if (c == '*') star = i;
+    if (star == 0) checksum ^= c;
   }
+  return Scan::skip(1);
+}
+
+Scan scan_sentence(Bytes bytes) {
   constexpr std::size_t tail = 5;  // *hh CR LF
-  const Bytes body = bytes.first(std::min(bytes.size(), max_frame - tail + 1));
+  const Bytes body = bytes.first(std::min(bytes.size(), Nmea0183::max_frame - tail + 1));
   std::size_t i = 1;
   std::uint64_t words = 0;
   for (; i + 8 <= body.size(); i += 8) {
@@ -69,6 +100,14 @@ Scan Nmea0183::scan(Bytes bytes) {
     checksum ^= c;
   }
   return body.size() < bytes.size() ? Scan::skip(1) : Scan::need_more();
+}
+
+}  // namespace
+
+Scan Nmea0183::scan(Bytes bytes) {
+  if (bytes.empty()) return Scan::need_more();
+  if (bytes[0] == '$') return scan_sentence(bytes);
+  return bytes[0] == '\\' ? scan_tagged(bytes) : Scan::skip(before_start(bytes));
 }
 
 std::optional<Nmea0183::Message> Nmea0183::decode(Bytes frame) {

@@ -38,12 +38,12 @@ std::optional<year_month_day> read_long_date(SentenceReader& fields) {
   return checked({year{*y}, month{static_cast<unsigned>(*m)}, day{static_cast<unsigned>(*d)}});
 }
 
-/// Speed in knots and km/h with their letters: four fields.
-std::optional<double> read_speed(SentenceReader& fields) {
+/// Speed in knots and km/h, each with `letter` fields for its letter.
+std::optional<double> read_speed(SentenceReader& fields, std::size_t letter) {
   const auto knots = fields.number();
-  fields.skip(1);
+  fields.skip(letter);
   const auto kilometres_per_hour = fields.number();
-  fields.skip(1);
+  fields.skip(letter);
   return knots ? scaled(knots, units::knot)
                : scaled(kilometres_per_hour, units::kilometre_per_hour);
 }
@@ -125,13 +125,16 @@ bool read(SentenceReader& fields, Gsa& m) {
   return true;
 }
 
+/// Before version 2 of the standard it had four numbers and no letters between them.
 bool read(SentenceReader& fields, Vtg& m) {
+  constexpr std::size_t numbers_alone = 4;
+  const std::size_t letter = fields.remaining() == numbers_alone ? 0 : 1;
   m.talker = fields.talker();
   m.course_true_rad = fields.angle();
-  fields.skip(1);
+  fields.skip(letter);
   m.course_magnetic_rad = fields.angle();
-  fields.skip(1);
-  m.speed_mps = read_speed(fields);
+  fields.skip(letter);
+  m.speed_mps = read_speed(fields, letter);
   m.mode = fields.letter();
   if (m.mode.value == 'N') {
     m.course_true_rad = m.course_magnetic_rad = m.speed_mps = std::nullopt;

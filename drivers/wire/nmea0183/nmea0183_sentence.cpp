@@ -56,7 +56,14 @@ std::optional<std::int64_t> fraction_of_second(std::string_view text) {
 
 }  // namespace
 
+Bytes without_tag(Bytes frame) {
+  if (frame.empty() || frame[0] != '\\') return frame;
+  const auto end = std::find(frame.begin() + 1, frame.end(), std::uint8_t{'\\'});
+  return end == frame.end() ? frame : Bytes(end + 1, frame.end());
+}
+
 SentenceReader::SentenceReader(Bytes frame) {
+  frame = without_tag(frame);
   if (frame.empty()) return;
   const auto* begin = reinterpret_cast<const char*>(frame.data()) + 1;
   const auto* star = static_cast<const char*>(std::memchr(begin, '*', frame.size() - 1));

@@ -34,6 +34,9 @@ struct Letter {
   friend bool operator==(const Letter&, const Letter&) = default;
 };
 
+/// The sentence of a frame, without the TAG block in front of it.
+Bytes without_tag(Bytes frame);
+
 /// Reads the fields of a valid sentence from left to right. A field that is empty, missing at the
 /// end or malformed reads as empty and never affects the others.
 class SentenceReader {

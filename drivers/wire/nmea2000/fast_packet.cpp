@@ -24,10 +24,11 @@ std::optional<FastPacket> FastPacketAssembler::receive(const j1939::Identifier& 
     return begin(id, sequence, payload);
   }
   if (assembly == nullptr) {
-    ++counters_.stray;
+    note_stray(id, sequence, index);
     return std::nullopt;
   }
   if (index != assembly->next_index) {
+    assembly->next_index = static_cast<std::uint8_t>(index + 1);
     drop(*assembly);
     return std::nullopt;
   }
@@ -56,14 +57,45 @@ FastPacketAssembler::Assembly& FastPacketAssembler::free_slot() {
 void FastPacketAssembler::drop(Assembly& assembly) {
   assembly.busy = false;
   ++counters_.dropped;
+  remember(assembly);
+}
+
+/// A message without its first frame is counted once, the rest of a lost one is not.
+void FastPacketAssembler::note_stray(const j1939::Identifier& id, std::uint8_t sequence,
+                                     std::uint8_t index) {
+  ++counters_.stray;
+  Behind* before = behind(id.pgn, id.source);
+  const bool goes_on = before != nullptr && before->sequence == sequence && before->index <= index;
+  if (!goes_on) ++counters_.headless;
+  if (before == nullptr) before = &behind_[next_behind_++ % behind_.size()];
+  *before = {id.pgn, id.source, sequence, index, true};
+}
+
+FastPacketAssembler::Behind* FastPacketAssembler::behind(std::uint32_t pgn, std::uint8_t source) {
+  for (Behind& one : behind_)
+    if (one.known && one.pgn == pgn && one.source == source) return &one;
+  return nullptr;
+}
+
+void FastPacketAssembler::remember(const Assembly& assembly) {
+  Behind* one = behind(assembly.pgn, assembly.source);
+  if (one == nullptr) one = &behind_[next_behind_++ % behind_.size()];
+  *one = {assembly.pgn, assembly.source, assembly.sequence,
+          static_cast<std::uint8_t>(assembly.next_index - 1), true};
+}
+
+std::uint64_t FastPacketAssembler::unfinished() const {
+  return static_cast<std::uint64_t>(
+      std::count_if(assemblies_.begin(), assemblies_.end(), [](const auto& a) { return a.busy; }));
 }
 
 std::optional<FastPacket> FastPacketAssembler::begin(const j1939::Identifier& id,
                                                      std::uint8_t sequence, Bytes payload) {
   if (payload.size() < 2 || payload[1] > fast_packet_max_bytes) {
-    ++counters_.stray;
+    note_stray(id, sequence, 0);
     return std::nullopt;
   }
+  if (Behind* before = behind(id.pgn, id.source)) before->known = false;
   Assembly& a = free_slot();
   a.busy = true;
   a.pgn = id.pgn;
@@ -87,6 +119,7 @@ std::optional<FastPacket> FastPacketAssembler::append(Assembly& a, const j1939::
   a.last_used = ++clock_;
   if (a.held < a.total) return std::nullopt;
   a.busy = false;
+  remember(a);
   ++counters_.messages;
   return FastPacket{id, {a.data.data(), a.total}};
 }

@@ -28,14 +28,22 @@ class FastPacketAssembler {
 
   struct Counters {
     std::uint64_t messages = 0;
-    std::uint64_t dropped = 0;  ///< messages that began but were never completed
-    std::uint64_t stray = 0;    ///< frames without a message or too short; invalid lengths
+    std::uint64_t dropped = 0;   ///< messages that began but were never completed
+    std::uint64_t headless = 0;  ///< messages whose first frame did not come, or was damaged
+    std::uint64_t stray = 0;     ///< frames without a message or too short; invalid lengths
   };
 
   std::optional<FastPacket> receive(const j1939::Identifier& id, Bytes payload);
   const Counters& counters() const { return counters_; }
+  std::uint64_t unfinished() const;  ///< messages that have begun and wait for frames
 
  private:
+  /// The last frame of a node that ended a message, or belongs to one that is lost.
+  struct Behind {
+    std::uint32_t pgn = 0;
+    std::uint8_t source = 0, sequence = 0, index = 0;
+    bool known = false;
+  };
   struct Assembly {
     bool busy = false;
     std::uint32_t pgn = 0;
@@ -55,8 +63,13 @@ class FastPacketAssembler {
   std::optional<FastPacket> append(Assembly& assembly, const j1939::Identifier& id, Bytes data,
                                    std::size_t room);
   void drop(Assembly& assembly);
+  void note_stray(const j1939::Identifier& id, std::uint8_t sequence, std::uint8_t index);
+  Behind* behind(std::uint32_t pgn, std::uint8_t source);
+  void remember(const Assembly& assembly);
 
   std::array<Assembly, max_concurrent> assemblies_{};
+  std::array<Behind, max_concurrent> behind_{};
+  std::size_t next_behind_ = 0;
   std::uint64_t clock_ = 0;
   Counters counters_;
 };

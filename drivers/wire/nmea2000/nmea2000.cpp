@@ -79,13 +79,17 @@ std::optional<Nmea2000::Message> Nmea2000::Decoder::receive(const CanFrame& fram
   return count_frame(counters_, frame, row->decode(*id, frame.payload()));
 }
 
+void Nmea2000::Decoder::finish() {
+  counters_.bad_checksums += assembler_.unfinished() + transport_.unfinished();
+}
+
 std::optional<Nmea2000::Message> Nmea2000::Decoder::receive_part(const j1939::Identifier& id,
                                                                  const CanFrame& frame) {
   const auto before = assembler_.counters();
   const auto whole = assembler_.receive(id, frame.payload());
   const auto& after = assembler_.counters();
   counters_.bytes_in += frame.size;
-  counters_.bad_checksums += after.dropped - before.dropped;
+  counters_.bad_checksums += after.dropped + after.headless - before.dropped - before.headless;
   const bool lost = after.dropped != before.dropped || after.stray != before.stray;
   (lost ? counters_.bytes_skipped : counters_.bytes_good) += frame.size;
   return whole ? receive_whole(whole->id, whole->data) : std::nullopt;

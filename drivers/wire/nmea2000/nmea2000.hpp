@@ -31,6 +31,7 @@ struct Nmea2000 {
   class Decoder {
    public:
     std::optional<Message> receive(const CanFrame& frame);
+    void finish();  ///< no more frames come: messages that wait for some are lost
     const StreamCounters& counters() const { return counters_; }
 
    private:

@@ -34,7 +34,8 @@ std::optional<Receiver::Whole> Receiver::receive_packet(const j1939::Identifier&
 
 std::uint64_t Receiver::incomplete() const {
   return fast_packets_.counters().dropped + fast_packets_.counters().stray +
-         transport_->counters().dropped + transport_->counters().stray;
+         fast_packets_.unfinished() + transport_->counters().dropped +
+         transport_->counters().stray + transport_->unfinished();
 }
 
 }  // namespace drydock::wire::pgn_table

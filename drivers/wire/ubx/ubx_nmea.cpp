@@ -33,7 +33,7 @@ Scan scan_ubx_or_nmea(Bytes bytes) {
 
 std::optional<UbxNmea::Message> UbxNmea::decode(Bytes frame) {
   if (frame.empty()) return std::nullopt;
-  if (frame[0] == '$') return decode_nmea0183<Message>(frame);
+  if (frame[0] == '$' || frame[0] == '\\') return decode_nmea0183<Message>(frame);
   if (frame[0] == rtcm3::preamble) return std::nullopt;
   return decode_ubx<Message>(frame);
 }

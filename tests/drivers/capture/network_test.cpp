@@ -106,6 +106,20 @@ TEST(NetworkLines, PiecesOfADatagramAreCountedAndNotRead) {
   EXPECT_EQ(line.damage("10.1.1.11:50000"), "");  // of another sender
 }
 
+TEST(NetworkLines, PacketsThatAreCutShortAreCounted) {
+  LineFile line(changed("udp-ethernet.pcap",
+                        [](Buffer& packet) {  // as a snap length of 48 bytes leaves it
+                          if (packet.size() <= 16 + 48) return;
+                          packet.resize(16 + 48);
+                          wire::store_le<std::uint32_t>(packet, 8, 48);
+                        }),
+                false);
+  while (line.next()) continue;
+  EXPECT_EQ(line.damage(),
+            "2 packets are cut short, so their ends are not in the file: record whole ones "
+            "(tcpdump -s 0)");
+}
+
 TEST(NetworkLines, WhatIsMissingInAStreamIsSaid) {
   const auto later_by_100 = [](Buffer& packet) {
     constexpr std::size_t sequence = 16 + 14 + 20 + 4;  // RFC 9293, behind Ethernet and IPv4

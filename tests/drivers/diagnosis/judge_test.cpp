@@ -80,6 +80,18 @@ TEST_F(TwoDevices, AreSilentInALongPauseAndBunchedInShortOnes) {
   EXPECT_EQ(judge.open(0)->cause, Cause::silent);
 }
 
+TEST_F(TwoDevices, AreSilentForAsLongAsTheSilenceLasted) {
+  see(Sign::silent, 5, 0, 4);
+  judge.settle(at_s(5));
+  see(Sign::silent, 6, 0, 5);
+  judge.settle(at_s(6));
+  EXPECT_EQ(judge.open(0)->evidence[0].value, 5);
+  judge.settle(at_s(9));
+  ASSERT_EQ(heard.size(), 2U);
+  EXPECT_EQ(heard[1].until, at_s(9));
+  EXPECT_EQ(heard[1].evidence[0].value, 5);
+}
+
 TEST(Causes, HaveAMeaningAndAdvice) {
   for (const CauseFacts& facts : causes()) {
     EXPECT_FALSE(facts.meaning.empty()) << facts.name;

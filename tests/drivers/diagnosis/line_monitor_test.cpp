@@ -102,6 +102,31 @@ TEST_F(LineThatIsWatched, IsHotForHalfAMinute) {
   EXPECT_TRUE(signs.all.empty());
 }
 
+TEST_F(LineThatIsWatched, HasAnErrorThatItsDeviceReports) {
+  for (const std::string_view report : {"node 10: emergency 0x8110, CAN overrun, objects lost",
+                                        "node 10 lost: no heartbeat for 3 s", "node 10 was stopped",
+                                        "the drive is in fault", "the IMU failed its self-test"}) {
+    signs.all.clear();
+    health.last_error = report;
+    look(3);
+    EXPECT_TRUE(signs.has(Sign::error_report)) << report;
+    for (int i = 0; i < 130; ++i) look(3);
+  }
+  health.last_error = std::string_view{"a field is no number; it reads as empty"};
+  signs.all.clear();
+  look(3);
+  EXPECT_TRUE(signs.all.empty());
+}
+
+TEST_F(LineThatIsWatched, ThatComesBackFromASilenceHasNoErrorOfItsOwn) {
+  health.state = State::stale;
+  look(0);
+  health.last_error = std::string_view{"node 10 has restarted"};
+  health.state = State::streaming;
+  look(3);
+  EXPECT_FALSE(signs.has(Sign::error_report));
+}
+
 TEST_F(LineThatIsWatched, RefusesASettingForAMinute) {
   health.last_error = std::string_view{"the DVL refuses \"wcs,1480\""};
   look(3);

@@ -11,6 +11,7 @@
 
 namespace typed_link_test {
 
+using drydock::probe::path_trouble;
 using drydock::probe::typed_link;
 
 TEST(TypedLink, AnInterfaceAndAPortNeedNoScheme) {
@@ -33,6 +34,14 @@ TEST(TypedLink, AnInterfaceWithItsOwnNameIsFoundInSys) {
   EXPECT_EQ(typed_link("hull", root), "socketcan:hull");
   EXPECT_EQ(typed_link("keel", root), "keel");
   std::filesystem::remove_all(root);
+}
+
+TEST(TypedLink, AFolderAndAFileThatIsNotThereAreNoLinks) {
+  EXPECT_EQ(typed_link("."), ".");
+  EXPECT_EQ(typed_link(".."), "..");
+  EXPECT_NE(path_trouble(".").find("is a folder"), std::string::npos);
+  EXPECT_NE(path_trouble("nonexist.log").find("there is no file"), std::string::npos);
+  EXPECT_EQ(path_trouble("tcp:10.0.0.1"), "");
 }
 
 TEST(TypedLink, ThePathOfAPtyIsAPty) {

@@ -53,7 +53,7 @@ TEST(Child, SaysTheSignalOfAProgramThatIsKilled) {
 TEST(Child, SaysThatAProgramDoesNotExist) {
   Child child({"./there-is-no-such-program"}, "");
   EXPECT_TRUE(child.closed());
-  EXPECT_EQ(child.ended(), "cannot start: No such file or directory");
+  EXPECT_EQ(child.ended(), "cannot start ./there-is-no-such-program: No such file or directory");
   child.send("nobody hears this");
   EXPECT_EQ(child.line(seconds{1}), std::nullopt);
 }

@@ -74,6 +74,26 @@ TEST(Transport, ABroadcastWithALostPacketIsDroppedAndTheNextIsWhole) {
   EXPECT_EQ(ear.messages.size(), 1U);
 }
 
+TEST(Transport, ABroadcastWithoutItsAnnouncementIsCountedOnce) {
+  Listener ear;
+  const auto frames = broadcast(1, 65240, counting(21));
+  for (const auto& f : frames) ear.hear(f);
+  for (std::size_t i = 1; i < frames.size(); ++i) ear.hear(frames[i]);
+  for (const auto& f : frames) ear.hear(f);
+  EXPECT_EQ(ear.messages.size(), 2U);
+  EXPECT_EQ(ear.receiver.counters().headless, 1U);
+  EXPECT_EQ(ear.receiver.counters().dropped, 0U);
+}
+
+TEST(Transport, ABroadcastThatWaitsForItsLastPacketIsUnfinished) {
+  Listener ear;
+  auto frames = broadcast(1, 65240, counting(21));
+  frames.pop_back();
+  for (const auto& f : frames) ear.hear(f);
+  EXPECT_EQ(ear.receiver.unfinished(), 1U);
+  EXPECT_EQ(ear.receiver.counters().headless, 0U);
+}
+
 TEST(Transport, AnAnnouncementIsForgotten750MsAfterItsLastPacket) {
   Listener ear;
   const auto frames = broadcast(1, 65240, counting(21));

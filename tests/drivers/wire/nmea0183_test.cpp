@@ -103,6 +103,14 @@ TEST(Nmea0183, VtgCarriesBothCourses) {
   EXPECT_NEAR(*m.speed_mps, 5.5 * 1852 / 3600, 1e-12);
 }
 
+// The form of version 1.5: the same numbers without letters.
+TEST(Nmea0183, VtgOfFourNumbersHasTheSameCoursesAndSpeed) {
+  const auto m = read<Vtg>("$GPVTG,054.7,034.4,005.5,010.2*54\r\n");
+  EXPECT_NEAR(degrees(*m.course_true_rad), 54.7, 1e-12);
+  EXPECT_NEAR(degrees(*m.course_magnetic_rad), 34.4, 1e-12);
+  EXPECT_NEAR(*m.speed_mps, 5.5 * 1852 / 3600, 1e-12);
+}
+
 TEST(Nmea0183, VtgWithoutAFixGivesNoSpeed) {
   const auto m = read<Vtg>(sentence("GPVTG,54.7,T,,M,0.00,N,0.00,K,N"));
   EXPECT_FALSE(m.speed_mps || m.course_true_rad);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "drivers/wire/bytes.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 
 namespace drydock::wire::testing {
@@ -91,6 +92,22 @@ TEST(Pd0, OffsetsDecideWhereABlockStandsAndEnds) {
   EXPECT_EQ(m.variable.clock->time_since_epoch(),
             std::chrono::local_days{std::chrono::year{2024} / 2 / 29}.time_since_epoch() + 23h +
                 59min + 59s + 990ms);
+}
+
+/// As Teledyne's manuals say of the command TS.
+TEST(Pd0, AYearWithoutItsCenturyIsFrom1990To2089) {
+  const auto frames = read_stream<Pd0>(fixture("pd0/golden.pd0")).frames;
+  Buffer frame = frames.at(0);
+  const std::size_t block = load_le<std::uint16_t>(frame, 8);  // behind the fixed leader
+  ASSERT_EQ(load_le<std::uint16_t>(frame, block), 0x0080);
+  frame[block + 57] = 0;  // no century
+  for (const auto& [digits, year] : {std::pair{99, 1999}, {90, 1990}, {89, 2089}, {0, 2000}}) {
+    frame[block + 4] = static_cast<std::uint8_t>(digits);
+    const auto m = std::get<Pd0Ensemble>(Pd0::decode(frame).value());
+    const std::chrono::year_month_day date{
+        std::chrono::floor<std::chrono::days>(m.variable.clock.value())};
+    EXPECT_EQ(date.year(), std::chrono::year{year});
+  }
 }
 
 TEST(Pd0, PressureMayBeSlightlyBelowZero) {

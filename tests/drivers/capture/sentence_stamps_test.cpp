@@ -1,0 +1,73 @@
+#include "drivers/capture/sentence_stamps.hpp"
+
+#include <gtest/gtest.h>
+
+#include "drivers/capture/byte_content.hpp"
+#include "tests/drivers/wire/byte_streams.hpp"
+
+/// What loggers write around the sentences of NMEA 0183.
+namespace drydock::capture::testing {
+namespace sentence_stamps_test {
+
+using wire::testing::as_bytes;
+using wire::testing::as_text;
+
+constexpr std::string_view hdt = "$GPHDT,75.5664,T*36", ths = "$GNTHS,244.17,A*1D";  // of manuals
+
+std::string four_lines(const std::string& before, const std::string& behind) {
+  std::string text;
+  for (const auto sentence : {hdt, ths, hdt, ths})
+    text += before + std::string(sentence) + behind + "\r\n";
+  return text;
+}
+
+std::string without(const std::string& text) {
+  SentenceStamps stamps;
+  return std::string(as_text(stamps.without(as_bytes(text))));
+}
+
+TEST(SentenceStamps, OfKnownLoggersAreLeftOut) {
+  const std::string plain = four_lines("", "");
+  for (const std::string stamp :
+       {"2023-12-31T23:59:30.100000Z ", "1704067170.100000 ", "[2023-12-31T23:59:30.100] ",
+        "23:59:30.100 (TCP:1.2.3.4:10110 <RX>) : ", "1704067170100;N;"})
+    EXPECT_EQ(without(four_lines(stamp, "")), plain) << stamp;
+  EXPECT_EQ(without(four_lines("\"AP\",\"RX\",2023-12-31T23:59:30.100Z,\"NMEA0183\",\"", "\"")),
+            plain);
+}
+
+TEST(SentenceStamps, AreLookedForInWhateverPiecesTheLinesCome) {
+  const std::string text = four_lines("12:00:00 ", "");
+  SentenceStamps stamps;
+  std::string out(as_text(stamps.without(as_bytes(text.substr(0, 100)))));
+  for (std::size_t at = 100; at < text.size(); at += 7)
+    out += as_text(stamps.without(as_bytes(text.substr(at, 7))));
+  EXPECT_EQ(out, four_lines("", ""));
+  EXPECT_EQ(stamps.lines(), 4u);
+}
+
+TEST(SentenceStamps, AreNoTagBlocksAndNoNoiseInFrontOfFew) {
+  for (const std::string& text :
+       {four_lines("", ""), four_lines("\\s:GPS1,c:1704067170*4C\\", ""),
+        four_lines("", "") + "noise" + std::string(hdt) + "\r\n", std::string("boot\r\n") + "x\n"})
+    EXPECT_EQ(without(text), text);
+}
+
+TEST(SentenceStamps, StayWhereALineHasNoSentence) {
+  std::string text;
+  for (int i = 0; i < 4; ++i) text += four_lines("12:00:00 ", "");
+  EXPECT_NE(without(text + "12:00:01 link lost\r\n").find("12:00:01 link lost"), std::string::npos);
+}
+
+TEST(SentenceStamps, OfACaptureAreTold) {
+  const std::string text = four_lines("12:00:00 ", "");
+  ByteContent content(false), raw(true);
+  content.of(as_bytes(text));
+  EXPECT_EQ(content.note(),
+            "a logger's stamps around 4 sentences were left out (format=raw keeps them)");
+  EXPECT_EQ(as_text(raw.of(as_bytes(text))), text);
+  EXPECT_EQ(raw.note(), "");
+}
+
+}  // namespace sentence_stamps_test
+}  // namespace drydock::capture::testing
