@@ -71,7 +71,7 @@ Spawned spawn(const std::vector<std::string>& command, const std::string& folder
     return spawned;
   }
   ::close(input[0]), ::close(output[0]);
-  return {.problem = fmt::format("cannot start: {}", std::strerror(error))};
+  return {.problem = fmt::format("cannot start {}: {}", command[0], std::strerror(error))};
 }
 
 }  // namespace drydock::process

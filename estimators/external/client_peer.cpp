@@ -137,9 +137,7 @@ void ClientPeer::give_up(std::string why) {
 
 void ClientPeer::refuse(const pipeline::OutsideEstimate& estimate, measurement::Stamp now) {
   complaints_.add(account_.out_of_time,
-                  fmt::format("gave an estimate for {:.6f} s after the end of its step, or for a "
-                              "time before its last one",
-                              measurement::seconds(pipeline::valid_at(estimate) - now)));
+                  out_of_time(measurement::seconds(pipeline::valid_at(estimate) - now)));
 }
 
 }  // namespace drydock::external

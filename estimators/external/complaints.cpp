@@ -6,6 +6,15 @@
 
 namespace drydock::external {
 
+std::string out_of_time(double after_s) {
+  if (after_s > 0)
+    return fmt::format("gave an estimate for {:.6f} s after the end of its step", after_s);
+  return fmt::format(
+      "gave an estimate for {:.6f} s before the end of its step, which is before its last estimate "
+      "or before the first measurement",
+      -after_s);
+}
+
 Complaints::Complaints(std::string estimator, std::function<void(const std::string&)> say)
     : estimator_(std::move(estimator)), say_(std::move(say)) {}
 

@@ -10,6 +10,9 @@
 
 namespace drydock::external {
 
+/// Why an estimate that is valid so long after the end of its step was refused.
+std::string out_of_time(double after_s);
+
 /// Says what another program did wrong: the first time of each sort, so that a program that goes on
 /// doing it does not flood the terminal. The account has the numbers.
 class Complaints {

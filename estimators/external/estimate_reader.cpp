@@ -41,6 +41,18 @@ double EstimateReader::within(const char* key, double limit) {
   return read;
 }
 
+/// A program may count its turns: -180 to 180.
+double EstimateReader::turns(const char* key) {
+  return std::remainder(number(estimate_[key], key), 360);
+}
+
+bool EstimateReader::yes_or_no(const char* key) {
+  const nlohmann::json& value = estimate_[key];
+  if (!value.is_boolean())
+    fail(Flaw::malformed, fmt::format("{} that is neither true nor false", key));
+  return value == nlohmann::json(true);
+}
+
 Vector3d EstimateReader::three(const char* key) {
   const nlohmann::json& value = estimate_[key];
   if (value.is_array() && value.size() == 3)
@@ -61,11 +73,18 @@ Matrix3d EstimateReader::nine(const char* key) {
   return read;
 }
 
+/// The diagonal of three standard deviations.
+Matrix3d EstimateReader::squares(const char* key) {
+  const Vector3d sigmas = three(key);
+  if ((sigmas.array() < 0).any()) fail(Flaw::malformed, fmt::format("{} that is negative", key));
+  return sigmas.cwiseAbs2().asDiagonal();
+}
+
 /// Three standard deviations, or nine numbers row by row.
 std::optional<Matrix3d> EstimateReader::covariance(const char* sigma, const char* full,
                                                    double unit) {
   if (!has(sigma) && !has(full)) return {};
-  const Matrix3d read = has(sigma) ? Matrix3d(three(sigma).cwiseAbs2().asDiagonal()) : nine(full);
+  const Matrix3d read = has(sigma) ? squares(sigma) : nine(full);
   if (!is_covariance(read))
     fail(Flaw::malformed, fmt::format("{} that is no covariance", has(sigma) ? sigma : full));
   return read * unit * unit;
@@ -73,7 +92,7 @@ std::optional<Matrix3d> EstimateReader::covariance(const char* sigma, const char
 
 std::optional<Vector3d> EstimateReader::angles() {
   if (!has("roll_deg") || !has("pitch_deg")) return {};
-  const double heading = has("heading_deg") ? within("heading_deg", 360) : not_given;
+  const double heading = has("heading_deg") ? turns("heading_deg") : not_given;
   return Vector3d{within("roll_deg", 360), within("pitch_deg", 90), heading} * units::degree;
 }
 
@@ -94,7 +113,7 @@ Values EstimateReader::values() {
       covariance("attitude_sigma_deg", "attitude_covariance_deg2", units::degree);
   values.position_m2 = covariance("position_sigma_m", "position_covariance_m2", 1);
   values.velocity_m2ps2 = covariance("velocity_sigma_mps", "velocity_covariance_m2ps2", 1);
-  values.valid = !has("valid") || estimate_["valid"] == nlohmann::json(true);
+  values.valid = !has("valid") || yes_or_no("valid");
   return values;
 }
 

@@ -24,8 +24,11 @@ class EstimateReader {
   void fail(Answer::Flaw flaw, std::string what);
   double number(const nlohmann::json& value, const char* key);
   double within(const char* key, double limit);
+  double turns(const char* key);
+  bool yes_or_no(const char* key);
   Eigen::Vector3d three(const char* key);
   Eigen::Matrix3d nine(const char* key);
+  Eigen::Matrix3d squares(const char* key);
   std::optional<Eigen::Matrix3d> covariance(const char* sigma, const char* full, double unit);
   std::optional<Eigen::Vector3d> angles();
   std::optional<frame::Position> position();

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/measurement/units.hpp"
+#include "drivers/text/json_of_any_text.hpp"
+#include "estimators/external/quoted.hpp"
 
 namespace drydock::external {
 namespace {
@@ -26,21 +28,21 @@ OrderedJson device_json(const Hello::Device& device) {
 std::string line_of(const Hello& hello) {
   OrderedJson devices = OrderedJson::array();
   for (const auto& device : hello.devices) devices.push_back(device_json(device));
-  return OrderedJson{
+  const OrderedJson json{
       {"drydock", protocol_version},
       {"rig", hello.rig},
       {"estimator", hello.estimator},
       {"gives", rig_config::external_gives_names.at(static_cast<std::size_t>(hello.gives))},
       {"step_s", hello.step_s},
       {"lockstep", hello.lockstep},
-      {"devices", std::move(devices)}}
-      .dump();
+      {"devices", std::move(devices)}};
+  return text::json_of_any_text(json, -1);
 }
 
 std::string fault_of_hello(std::string_view line) {
   const auto json = nlohmann::json::parse(line, nullptr, false);
   if (!json.is_object() || !json.contains("drydock") || !json["drydock"].is_number_integer())
-    return fmt::format("answered the greeting with \"{:.80}\" instead of {{\"drydock\":{}}}", line,
+    return fmt::format("answered the greeting with {} instead of {{\"drydock\":{}}}", quoted(line),
                        protocol_version);
   const auto version = json["drydock"].get<std::int64_t>();
   if (version == protocol_version) return {};

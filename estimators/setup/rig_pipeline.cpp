@@ -43,7 +43,9 @@ std::vector<std::string> pipeline_notes(const rig_config::Rig& rig,
     if (std::holds_alternative<rig_config::ExternalConfig>(rig.estimators[i].kind) &&
         pipeline.peer(i) == nullptr)
       notes.push_back(
-          fmt::format("{}: another program, which was not started", rig.estimators[i].name));
+          fmt::format("{}: another program, which was not asked; run asks it, and so does replay "
+                      "with --rig if the rig has its command",
+                      rig.estimators[i].name));
     if (status.rejected > 0)
       notes.push_back(
           fmt::format("{}: {} values outside its gate", rig.estimators[i].name, status.rejected));

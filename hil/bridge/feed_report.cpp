@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "drivers/text/json_of_any_text.hpp"
+
 namespace drydock::bridge {
 
 namespace {
@@ -52,7 +54,7 @@ std::string to_json(const FeedCounters& c) {
                              {"oldest_ms", ms(c.oldest)},
                              {"delay_ms", ms(delay_of(c))},
                              {"autopilot_heartbeats", c.autopilot_heartbeats}};
-  return all.dump() + "\n";
+  return text::json_of_any_text(all, -1) + "\n";
 }
 
 }  // namespace drydock::bridge

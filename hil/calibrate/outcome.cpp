@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "drivers/text/json_of_any_text.hpp"
 #include "estimators/smoothing/level_smoother.hpp"
 #include "estimators/smoothing/tilt_smoother.hpp"
 #include "hil/calibrate/outcome_words.hpp"
@@ -107,7 +108,7 @@ std::string to_json(const Outcome& outcome) {
                                  {"rms_after", change.rms_after},
                                  {"nis_before", change.nis_before},
                                  {"nis_after", change.nis_after}});
-  return json.dump(2) + "\n";
+  return text::json_of_any_text(json) + "\n";
 }
 
 }  // namespace drydock::calibrate

@@ -24,7 +24,12 @@ void say_what_is_odd(const Ledger& ledger, std::FILE* errors) {
 
 int verdict(const Ledger& ledger, std::size_t runs, const Results& results, std::FILE* errors) {
   const std::size_t missing = runs - ledger.records.size();
-  if (missing == 0 && results.failed() == 0) return terminal::exit_success;
+  const auto lacking = lacking_figures(results);
+  for (const auto& l : lacking)
+    fmt::print(
+        errors, "campaign: figure '{}': {} of {} runs have no number at {}, the first is run {}\n",
+        l.figure->name, l.runs, results.records.size() - results.failed(), l.figure->at, l.first);
+  if (missing == 0 && results.failed() == 0) return terminal::exit_of(lacking.empty());
   fmt::print(errors, "campaign: {} of {} runs failed, {} are missing; --resume runs these again\n",
              results.failed(), runs, missing);
   return terminal::exit_failed;

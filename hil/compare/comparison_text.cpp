@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/compare/comparison.hpp"
 #include "hil/compare/comparison_table.hpp"
 
@@ -72,7 +73,7 @@ std::string to_json(const Comparison& comparison) {
             {"notes", comparison.notes},
             {"estimators", Json::array()}};
   for (const auto& entry : comparison.entries) json["estimators"].push_back(entry_json(entry));
-  return json.dump(2) + "\n";
+  return text::json_of_any_text(json) + "\n";
 }
 
 }  // namespace drydock::compare

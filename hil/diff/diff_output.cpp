@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/diff/diff_figures.hpp"
 #include "hil/report/html.hpp"
 #include "hil/report/table.hpp"
@@ -51,7 +52,7 @@ std::string to_json(const Side& a, const Side& b, const Comparison& comparison) 
                                    {"a", value_json(in_a)},
                                    {"b", value_json(in_b)},
                                    {"change", change ? Json(*change) : Json(nullptr)}});
-  return root.dump(2) + "\n";
+  return text::json_of_any_text(root) + "\n";
 }
 
 std::string to_html(const Side& a, const Side& b, const Comparison& comparison) {

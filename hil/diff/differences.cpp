@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "drivers/text/json_of_any_text.hpp"
+
 namespace drydock::diff {
 namespace {
 
@@ -75,7 +77,7 @@ class Values {
     owned_.insert(owners_.at(name));
   }
   static std::string text_of(const Json& value) {
-    return value.is_string() ? value.get<std::string>() : value.dump();
+    return value.is_string() ? value.get<std::string>() : text::json_of_any_text(value, -1);
   }
 
   std::vector<std::string> names_;

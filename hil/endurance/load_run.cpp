@@ -9,6 +9,7 @@
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/terminal/progress_bar.hpp"
 #include "drivers/terminal/terminal_screen.hpp"
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/report/table.hpp"
 #include "hil/report/write_file.hpp"
@@ -210,7 +211,7 @@ int load_run(const rig_config::Rig& whole, const LoadOptions& options, std::FILE
   const summary::Summary& run = result.summary;
   const bool passed = failed == 0 && !run.interrupted;
   if (!options.json.empty())
-    report::write_file(options.json, json_of(result, passed).dump(2) + "\n");
+    report::write_file(options.json, text::json_of_any_text(json_of(result, passed)) + "\n");
   if (passed)
     fmt::print(out,
                "PASS {} devices, {} samples in {:.0f} s: no deadline missed, none lost, every rate "

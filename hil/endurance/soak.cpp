@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/bench/short_run.hpp"
 #include "hil/endurance/soak_watch.hpp"
@@ -86,7 +87,7 @@ std::string json_of(const summary::Summary& summary, const SoakWatch& watch,
   json["false_alarms"] = watch.false_alarms();
   json["hours_without_fault"] = watch.quiet_s() / 3600;
   json["troubles"] = troubles;
-  return json.dump(2) + "\n";
+  return text::json_of_any_text(json) + "\n";
 }
 
 std::string page_of(const summary::Summary& summary, const SoakWatch& watch,

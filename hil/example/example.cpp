@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "drivers/terminal/exit_codes.hpp"
+#include "rig_config/rules/explain.hpp"
 #include "rig_config/shipped.hpp"
 
 namespace drydock::example {
@@ -68,7 +69,11 @@ int show(const std::string& name, std::FILE* out, std::FILE* err) {
       fmt::print(out, "# {}\n{}", path.string(), with_whole_paths(text, path));
       return terminal::exit_success;
     }
-  fmt::print(err, "example: no shipped file is named '{}'; drydock example lists them\n", name);
+  std::vector<std::string> names;
+  for (const auto kind : kinds)
+    for (const auto& path : rig_config::shipped_files(kind)) names.push_back(path.stem().string());
+  fmt::print(err, "example: no shipped file is named '{}'{}; drydock example lists them\n", name,
+             rig_config::did_you_mean(name, names));
   return terminal::exit_usage;
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/capture/line_file.hpp"
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/info/utc.hpp"
 
 namespace drydock::info {
@@ -68,9 +69,8 @@ nlohmann::json json_of(const std::vector<LineInfo>& lines) {
 }
 
 std::string to_json(const std::string& file, const std::vector<LineInfo>& lines) {
-  return nlohmann::json{{"file", file}, {"format", format_of(file)}, {"lines", json_of(lines)}}
-             .dump(2) +
-         "\n";
+  const nlohmann::json json{{"file", file}, {"format", format_of(file)}, {"lines", json_of(lines)}};
+  return text::json_of_any_text(json) + "\n";
 }
 
 }  // namespace drydock::info

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/info/recording_info.hpp"
 #include "hil/info/utc.hpp"
 
@@ -73,7 +74,7 @@ std::string to_json(const RecordingInfo& info) {
                               {"faults", faults},
                               {"attachments", info.attachments},
                               {"damage", info.damage}};
-  return all.dump(2) + "\n";
+  return text::json_of_any_text(all) + "\n";
 }
 
 }  // namespace drydock::info

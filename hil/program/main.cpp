@@ -40,6 +40,8 @@ int obey(CLI::App& app, program::Command& command, int argc, char** argv) try {
   return wrong_usage(program::misspelled_option(app, error));
 } catch (const CLI::RequiredError& error) {
   return wrong_usage(program::missing_word(app, error));
+} catch (const CLI::ValidationError& error) {
+  return wrong_usage(program::misspelled_value(error));
 } catch (const CLI::ParseError& error) {
   return app.exit(error) == 0 ? terminal::exit_success : terminal::exit_usage;
 } catch (const program::BadRig&) {

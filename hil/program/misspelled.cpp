@@ -57,6 +57,18 @@ std::string missing_word(const CLI::App& app, const CLI::RequiredError& error) {
   return fmt::format("{}: which? one of {}", command.get_name(), rig_config::listed(names));
 }
 
+/// CLI11 has no other access to the list: "KIND: sensr not in {rig,sensor}".
+std::string misspelled_value(const CLI::ValidationError& error) {
+  const std::string text = error.what();
+  const auto list = text.find(" not in {"), end = text.rfind('}');
+  const auto name = text.find(": ");
+  if (list == std::string::npos || end == std::string::npos || !(name < list)) return text;
+  const auto word = text.substr(name + 2, list - name - 2);
+  const auto begin = list + std::string_view(" not in {").size();
+  return text +
+         rig_config::did_you_mean(word, CLI::detail::split(text.substr(begin, end - begin), ','));
+}
+
 std::string misspelled_option(const CLI::App& app, const CLI::ExtrasError& error) {
   const auto& command = typed_command(app);
   const auto unknown = command.remaining();

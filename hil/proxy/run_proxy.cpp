@@ -9,6 +9,7 @@
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/text/json_of_any_text.hpp"
 #include "drivers/wire/protocols.hpp"
 #include "hil/fault/schedule/schedules.hpp"
 #include "hil/proxy/proxy.hpp"
@@ -134,7 +135,7 @@ void print_json(const proxy::Proxy& proxy, std::FILE* out) {
   summary["latency_us"] = {{"reads", latency.count()},
                            {"median", us(latency.percentile(0.5))},
                            {"p99", us(latency.percentile(0.99))}};
-  fmt::print(out, "{}\n", summary.dump());
+  fmt::print(out, "{}\n", text::json_of_any_text(summary, -1));
 }
 
 void print_text(const proxy::Proxy& proxy, Carries carries, std::FILE* out) {

@@ -83,7 +83,8 @@ LockstepRun::LockstepRun(const std::string& file, const LockstepOptions& options
   const auto start = measurement::stamp_from_ns(rig_.start_utc_ns);
   if (options.controller) {
     auto steered = std::make_unique<motion::SteeredTrajectory>(rig_.mission, start);
-    steerer_.emplace(*options.controller, *steered, log_, names_, failure_);
+    steerer_.emplace(*options.controller, *steered, log_, motion::outputs_of(rig_.mission), names_,
+                     failure_);
     motion_ = std::move(steered);
   } else {
     motion_ = motion::make_trajectory(rig_.mission, start);

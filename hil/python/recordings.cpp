@@ -12,6 +12,9 @@ namespace {
 using Seconds = std::optional<double>;
 
 record::Selection selection_of(std::vector<std::string> only, Seconds from_s, Seconds to_s) {
+  if (from_s && to_s && !(*from_s < *to_s))
+    throw std::invalid_argument(
+        fmt::format("from_s is {} and to_s is {}, allowed: from_s before to_s", *from_s, *to_s));
   record::Selection part{.only = std::move(only), .from = {}, .to = {}};
   if (from_s) part.from = measurement::from_seconds(*from_s);
   if (to_s) part.to = measurement::from_seconds(*to_s);

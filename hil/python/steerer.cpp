@@ -43,13 +43,22 @@ py::dict estimates(const MomentObject& moment) {
   return dict;
 }
 
+std::vector<double> outputs_in(const py::object& answer) {
+  py::detail::make_caster<std::vector<double>> caster;
+  if (caster.load(answer, true))
+    return py::detail::cast_op<std::vector<double>&&>(std::move(caster));
+  throw std::invalid_argument(fmt::format("the controller gave {}, allowed: a list of numbers",
+                                          py::repr(answer).cast<std::string>().substr(0, 80)));
+}
+
 }  // namespace
 
 Steerer::Steerer(const Controller& controller, motion::SteeredTrajectory& motion, RunLog& log,
-                 const RunNames& names, Failure& failure)
+                 std::size_t outputs, const RunNames& names, Failure& failure)
     : controller_(controller),
       motion_(motion),
       log_(log),
+      most_outputs_(outputs),
       names_(names),
       failure_(failure),
       next_(motion.start()) {
@@ -64,7 +73,11 @@ std::vector<double> Steerer::ask(Stamp now) {
                       motion_.at(now),
                       names_};
   const py::object answer = controller_.call(py::cast(std::move(moment)));
-  auto outputs = answer.cast<std::vector<double>>();
+  auto outputs = outputs_in(answer);
+  if (outputs.size() > most_outputs_)
+    throw std::invalid_argument(
+        fmt::format("the controller gave {} outputs, allowed: at most the {} of the vehicle",
+                    outputs.size(), most_outputs_));
   for (const double output : outputs)
     if (!(std::abs(output) <= 1))
       throw std::invalid_argument(

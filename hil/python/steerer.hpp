@@ -25,9 +25,10 @@ class Steerer final : public shell::Actor {
     std::chrono::nanoseconds period;
   };
 
-  /// All of them must outlive the steerer, which holds nothing of Python.
+  /// All of them must outlive the steerer, which holds nothing of Python. `outputs`: how many the
+  /// vehicle takes.
   Steerer(const Controller& controller, motion::SteeredTrajectory& motion, RunLog& log,
-          const RunNames& names, Failure& failure);
+          std::size_t outputs, const RunNames& names, Failure& failure);
 
   std::optional<measurement::Stamp> deadline() const override { return next_; }
   void act(measurement::Stamp now) override;
@@ -38,6 +39,7 @@ class Steerer final : public shell::Actor {
   const Controller& controller_;
   motion::SteeredTrajectory& motion_;
   RunLog& log_;
+  std::size_t most_outputs_;
   const RunNames& names_;
   Failure& failure_;
   measurement::Stamp next_;

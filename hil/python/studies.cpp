@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "drivers/terminal/interrupt_flag.hpp"
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/python/columns.hpp"
 #include "hil/python/topics.hpp"
 #include "hil/python/values.hpp"
@@ -80,7 +81,7 @@ py::dict run_study(const std::string& name, std::size_t runs, std::uint64_t seed
   for (auto& figure : result.figures) figures.append(dict_of(std::move(figure)));
   py::dict dict;
   dict["title"] = std::string(study.title);
-  dict["values"] = value_of_json(result.json.dump());
+  dict["values"] = value_of_json(text::json_of_any_text(result.json, -1));
   dict["tables"] = std::move(tables);
   dict["figures"] = std::move(figures);
   return dict;

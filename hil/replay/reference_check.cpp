@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/text/json_of_any_text.hpp"
+
 namespace drydock::replay {
 
 namespace {
@@ -59,8 +61,9 @@ void ReferenceCheck::compare(Entry& entry, std::int64_t at_ns, const ReferenceRo
   const auto values = values_of(*entry.layout, cdr);
   for (std::size_t i = 0; i < std::min(values.size(), row.values.size()); ++i) {
     if (same(row.values[i], values[i].value)) continue;
-    return report(entry, {at_ns, number, entry.name, values[i].name, row.values[i].dump(),
-                          values[i].value.dump()});
+    return report(entry, {at_ns, number, entry.name, values[i].name,
+                          text::json_of_any_text(row.values[i], -1),
+                          text::json_of_any_text(values[i].value, -1)});
   }
   if (values.size() != row.values.size())
     return report(entry,

@@ -14,8 +14,9 @@ namespace {
 constexpr std::chrono::seconds health_period{1};  // as in a run
 constexpr std::string_view faults_topic = "/drydock/faults";
 
-pipeline::Pipeline pipeline_of(const rig_config::Rig& rig, pipeline::EstimateListener& listener) {
-  auto made = pipeline::make_pipeline(setup::pipeline_options(rig), listener);
+pipeline::Pipeline pipeline_of(const rig_config::Rig& rig, const setup::Outside* outside,
+                               pipeline::EstimateListener& listener) {
+  auto made = pipeline::make_pipeline(setup::pipeline_options(rig, outside), listener);
   if (!made) throw std::runtime_error(made.error().message);
   return std::move(*made);
 }
@@ -44,7 +45,7 @@ ReplayBench::ReplayBench(record::Recording& recording, const rig_config::Rig& ri
       outlets_(outlets),
       gate_(*this, rig.estimators.size()),
       teller_(gate_),
-      pipeline_(pipeline_of(rig, teller_)),
+      pipeline_(pipeline_of(rig, outlets.outside, teller_)),
       start_(recording.begin().value_or(Stamp{}) + part.from.value_or(Stamp::duration{0})),
       next_health_(start_ + health_period),
       player_(player_of(recording, rig, part, gate_)),

@@ -6,6 +6,7 @@
 #include "drivers/recordings/record/player.hpp"
 #include "estimators/host/bus_estimates.hpp"
 #include "estimators/pipeline/pipeline.hpp"
+#include "estimators/setup/outside.hpp"
 #include "hil/replay/onto.hpp"
 #include "hil/replay/pace.hpp"
 #include "hil/replay/recorded_truth.hpp"
@@ -20,6 +21,8 @@ struct ReplayOutlets {
   std::function<bool(const terminal::InterruptFlag&)> step = {};
   Onto* onto = nullptr;               ///< may be null
   std::function<void()> at_end = {};  ///< before the devices close; may be empty
+  /// How estimators in other programs are reached; null: they are not.
+  const setup::Outside* outside = nullptr;
 };
 
 /// Drivers and estimators of a recorded rig, fed with the recorded bytes. Time is virtual, with or

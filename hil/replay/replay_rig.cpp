@@ -18,6 +18,7 @@
 #include "estimators/host/diagnostician_beside.hpp"
 #include "estimators/host/sound_devices.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
+#include "hil/replay/other_programs.hpp"
 #include "hil/replay/other_rig.hpp"
 #include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/recording_progress.hpp"
@@ -29,6 +30,7 @@
 #include "hil/replay/topics_follower.hpp"
 #include "hil/report/write_file.hpp"
 #include "hil/summary/findings.hpp"
+#include "hil/summary/judge.hpp"
 #include "hil/summary/write_files.hpp"
 #include "rig_config/load.hpp"
 
@@ -82,12 +84,17 @@ class RigReplay {
       if (std::ranges::find(options.part.only, estimator.name) != options.part.only.end())
         throw std::runtime_error("--only: " + estimator.name +
                                  " is an estimator; name the devices that feed it");
+    // The rig in a recording comes from somebody else, and starts no program here.
+    if (!options.rig.empty())
+      outside_ =
+          programs_of(rig(), [this](const std::string& line) { fmt::print(err_, "{}\n", line); });
     if (!options.onto.empty()) onto_.emplace(io_, recording_.links(), options.onto);
     bench_.emplace(recording_, rig(), options_.part,
                    ReplayOutlets{step(), onto_ ? &*onto_ : nullptr,
                                  [this] {
                                    if (summary_) summary_->note_end();
-                                 }},
+                                 },
+                                 outside_ ? &*outside_ : nullptr},
                    faults_);
     add_followers();
     if (options.rig.empty() && !recorded_.trouble().empty())
@@ -132,9 +139,13 @@ class RigReplay {
            !options_.junit.empty();
   }
 
-  /// Returns false if an expectation was not met.
+  /// Returns false if an expectation was not met, or another program did not answer well.
   bool judged() {
-    if (!summary_) return true;
+    if (!summary_) {
+      const auto verdicts = verdicts_on_programs(rig(), bench_->pipeline());
+      fmt::print(options_.quiet ? out_ : err_, "{}", summary::to_text(verdicts));
+      return std::ranges::all_of(verdicts, &summary::Verdict::passed);
+    }
     auto made = summary_->made();
     made.findings = summary::accounts_of(findings_, rig(), bench_->start());
     fmt::print(options_.quiet ? out_ : err_, "{}", to_text(made));
@@ -258,6 +269,7 @@ class RigReplay {
   std::optional<TopicsFollower> checked_, made_;
   std::optional<host::RigRecorder> recorder_;
   std::optional<host::RigViewer> viewer_;
+  std::optional<setup::Outside> outside_;  ///< empty: no other program is asked
   std::optional<ReplayBench> bench_;
   std::optional<ReplaySummary> summary_;
 };

@@ -3,6 +3,7 @@
 #include "drivers/device/health_account.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
+#include "hil/replay/other_programs.hpp"
 
 namespace drydock::replay {
 
@@ -47,6 +48,12 @@ std::vector<pipeline::EstimatorStatus> ReplaySummary::estimators() const {
   return all;
 }
 
+void ReplaySummary::write_programs(summary::Summary& summary) const {
+  for (std::size_t i = 0; i < summary.estimators.size(); ++i)
+    if (const auto* program = bench_.pipeline().peer(i)) summary.estimators[i].program = *program;
+  summary.verdicts = verdicts_on_programs(rig_, bench_.pipeline());
+}
+
 summary::Summary ReplaySummary::made() const {
   summary::Summary summary;
   summary.rig = rig_.name;
@@ -60,6 +67,7 @@ summary::Summary ReplaySummary::made() const {
                           (truth_ ? "" : ", which has no truth: no errors are known"));
   summary.devices = at_end_;
   scribe_.write(summary);
+  write_programs(summary);
   expects_.write(summary, estimators());
   return summary;
 }

@@ -27,6 +27,7 @@ class ReplaySummary {
  private:
   std::vector<summary::DeviceSummary> devices() const;
   std::vector<pipeline::EstimatorStatus> estimators() const;
+  void write_programs(summary::Summary& summary) const;
 
   const rig_config::Rig& rig_;
   ReplayBench& bench_;

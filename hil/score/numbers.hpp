@@ -7,9 +7,11 @@
 
 namespace drydock::score {
 
-/// Decimal seconds since 1970, to the nanosecond: a double has only about 200 ns there.
+/// Decimal seconds since 1970, to the nearest nanosecond: a double has only about 200 ns there. An
+/// exponent is read too: numpy.savetxt writes 1.7e+09.
 std::optional<measurement::Stamp> stamp_of_seconds(std::string_view text);
+/// A whole number of nanoseconds since 1970, perhaps with an exponent; empty if it has a fraction.
+std::optional<measurement::Stamp> stamp_of_nanoseconds(std::string_view text);
 std::optional<double> number_of(std::string_view text);
-std::optional<std::int64_t> whole_number_of(std::string_view text);
 
 }  // namespace drydock::score

@@ -1,104 +1,118 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <cmath>
+#include <limits>
 
 #include "drivers/measurement/units.hpp"
 #include "estimators/frame/attitude.hpp"
+#include "hil/score/csv_head.hpp"
 #include "hil/score/numbers.hpp"
+#include "hil/score/passed_over.hpp"
 #include "hil/score/read_estimates.hpp"
 
 namespace drydock::score {
 namespace {
 
-std::vector<std::string> cells_of(std::string line) {
-  std::erase(line, '\r');
-  std::vector<std::string> cells(1);
-  for (const char c : line) {
-    if (c == ',') {
-      cells.emplace_back();
-    } else if (c != ' ' && c != '"') {
-      cells.back().push_back(c);
-    }
-  }
-  return cells;
-}
+using Eigen::Vector3d;
 
-/// The values of a line by the names of their columns.
-class CsvLine {
+/// Seconds as a double are off by 0.2 us.
+constexpr std::chrono::microseconds same_time{1};
+
+class CsvReader {
  public:
-  CsvLine(const std::vector<std::string>& names, const std::vector<std::string>& cells) {
-    for (std::size_t i = 0; i < std::min(names.size(), cells.size()); ++i)
-      cells_[names[i]] = cells[i];
+  CsvReader(const CsvHead& head, const frame::Position& origin) : head_(head), origin_(origin) {}
+
+  /// False: the time or the position is no number.
+  bool read(const std::string& text, std::uint64_t number) {
+    number_ = number;
+    cells_ = csv_cells(text);
+    while (cells_.size() > head_.size() && cells_.back().empty()) cells_.pop_back();
+    if (cells_.size() != head_.size()) {
+      note(fmt::format("not the {} cells of line 1, left out", head_.size()));
+      return true;
+    }
+    const auto at = time();
+    const Vector3d position = place();
+    if (!at || !position.allFinite()) return false;
+    out_.track.push_back({*at, position, attitude(), covariance()});
+    return true;
   }
-  bool has(const char* name) const { return cells_.contains(name); }
-  /// NaN: the cell is not there or no number.
-  double at(const char* name) const {
-    const auto found = cells_.find(name);
-    return found == cells_.end() ? not_there : number_of(found->second).value_or(not_there);
-  }
-  std::optional<measurement::Stamp> time() const {
-    if (const auto s = cells_.find("t_s"); s != cells_.end()) return stamp_of_seconds(s->second);
-    const auto ns = cells_.find("valid_at_ns");
-    const auto read = ns == cells_.end() ? std::nullopt : whole_number_of(ns->second);
-    return read ? std::optional(measurement::stamp_from_ns(*read)) : std::nullopt;
+
+  Estimates result() {
+    out_.notes = head_.incomplete();
+    std::ranges::move(passed_over_.notes(), std::back_inserter(out_.notes));
+    return std::move(out_);
   }
 
  private:
-  static constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
-  std::map<std::string, std::string, std::less<>> cells_;
-};
+  void note(const std::string& why) { passed_over_.add(why, number_); }
+  const std::string& cell(const char* name) const { return cells_[head_.at(name)]; }
+  Vector3d three(const CsvGroup& group) const {
+    Vector3d values;
+    for (Eigen::Index i = 0; i < 3; ++i)
+      values[i] = number_of(cell(group.at(static_cast<std::size_t>(i))))
+                      .value_or(std::numeric_limits<double>::quiet_NaN());
+    return values;
+  }
 
-Eigen::Vector3d csv_position(const CsvLine& line, const frame::Position& origin) {
-  if (!line.has("latitude_deg")) return {line.at("north_m"), line.at("east_m"), line.at("down_m")};
-  return frame::ned_offset(origin, {line.at("latitude_deg") * units::degree,
-                                    line.at("longitude_deg") * units::degree, line.at("height_m")});
-}
+  std::optional<measurement::Stamp> time() {
+    const bool has_ns = head_.has("valid_at_ns"), has_s = head_.has("t_s");
+    const auto ns = has_ns ? stamp_of_nanoseconds(cell("valid_at_ns")) : std::nullopt;
+    const auto s = has_s ? stamp_of_seconds(cell("t_s")) : std::nullopt;
+    if (has_ns && has_s && ns && !(s && std::chrono::abs(*s - *ns) <= same_time))
+      note("t_s is not the time of valid_at_ns, which is taken");
+    return has_ns ? ns : s;
+  }
 
-std::optional<Pose> csv_pose(const CsvLine& line, const frame::Position& origin) {
-  const auto at = line.time();
-  if (!at) return {};
-  Pose pose{*at, csv_position(line, origin), {}, {}};
-  const Eigen::Vector3d angles{line.at("roll_deg"), line.at("pitch_deg"), line.at("heading_deg")};
-  const Eigen::Vector3d sigmas{line.at("north_sigma_m"), line.at("east_sigma_m"),
-                               line.at("down_sigma_m")};
-  if (angles.allFinite())
-    pose.body_to_ned = frame::body_to_ned(
-        {angles.x() * units::degree, angles.y() * units::degree, angles.z() * units::degree});
-  if (sigmas.allFinite()) pose.covariance_m2 = sigmas.cwiseAbs2().asDiagonal();
-  return pose;
-}
+  Vector3d place() const {
+    if (head_.has(csv_local)) return three(csv_local);
+    const Vector3d v = three(csv_geodetic);
+    return frame::ned_offset(origin_, {v.x() * units::degree, v.y() * units::degree, v.z()});
+  }
 
-std::string misfit_of_columns(const std::vector<std::string>& names) {
-  const std::set<std::string> all(names.begin(), names.end());
-  const auto has = [&](std::initializer_list<const char*> wanted) {
-    return std::ranges::all_of(wanted, [&](const char* name) { return all.contains(name); });
-  };
-  if (!has({"t_s"}) && !has({"valid_at_ns"})) return "no column t_s or valid_at_ns";
-  if (has({"latitude_deg", "longitude_deg", "height_m"}) || has({"north_m", "east_m", "down_m"}))
+  /// An empty cell says that there is none.
+  std::optional<Eigen::Quaterniond> attitude() {
+    if (!head_.has(csv_angles)) return {};
+    const Vector3d angles = three(csv_angles) * units::degree;
+    if (angles.allFinite()) return frame::body_to_ned({angles.x(), angles.y(), angles.z()});
+    note("an angle is no number, the attitude is left out");
     return {};
-  return "no columns latitude_deg, longitude_deg, height_m, or north_m, east_m, down_m";
-}
+  }
+
+  std::optional<Eigen::Matrix3d> covariance() {
+    if (!head_.has(csv_sigmas)) return {};
+    const Vector3d sigmas = three(csv_sigmas);
+    if (sigmas.allFinite() && (sigmas.array() > 0).all())
+      return Eigen::Matrix3d(sigmas.cwiseAbs2().asDiagonal());
+    note("a standard deviation is not above 0, the covariance is left out");
+    return {};
+  }
+
+  const CsvHead& head_;
+  const frame::Position& origin_;
+  std::uint64_t number_ = 0;
+  std::vector<std::string> cells_;
+  PassedOver passed_over_{"line"};
+  Estimates out_;
+};
 
 }  // namespace
 
-boost::system::result<Track, Problem> read_csv(std::istream& in, const std::string& name,
-                                               const frame::Position& origin) {
+boost::system::result<Estimates, Problem> read_csv(std::istream& in, const std::string& name,
+                                                   const frame::Position& origin) {
   std::string text;
   std::getline(in, text);
-  const auto names = cells_of(text);
-  if (const auto wrong = misfit_of_columns(names); !wrong.empty())
+  const CsvHead head(without_byte_order_mark(text));
+  if (const auto wrong = head.misfit(); !wrong.empty())
     return Problem{fmt::format("{}:1: {}", name, wrong)};
-  Track track;
-  for (int number = 2; std::getline(in, text); ++number) {
+  CsvReader reader(head, origin);
+  for (std::uint64_t number = 2; std::getline(in, text); ++number) {
     if (text.empty() || text == "\r") continue;
-    const auto pose = csv_pose(CsvLine(names, cells_of(text)), origin);
-    if (!pose || !pose->position_ned.allFinite())
+    if (!reader.read(text, number))
       return Problem{fmt::format("{}:{}: a time or a position is no number", name, number)};
-    track.push_back(*pose);
   }
-  return track;
+  return reader.result();
 }
 
 }  // namespace drydock::score

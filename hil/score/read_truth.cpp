@@ -32,6 +32,7 @@ boost::system::result<Truth, Problem> read_truth(const std::string& path) {
   while (const auto event = recording->next())
     if (const auto* message = std::get_if<record::Understood>(&*event)) truth.hear(*message);
   truth.tell();
+  keeper.kept.damage = recording->damage();
   if (!keeper.kept.track.empty()) return keeper.kept;
   return Problem{fmt::format(
       "{}: no truth in it; a run of an emulated rig with an estimator records it", path)};

@@ -11,6 +11,7 @@ namespace drydock::score {
 struct Truth {
   frame::Position origin;  ///< of the track's positions: the first place
   Track track;
+  std::string damage;  ///< one line, if the recording is truncated or damaged
 };
 
 /// The truth of a recording of an emulated vehicle (MCAP).

@@ -1,41 +1,52 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "hil/score/axes.hpp"
+#include "hil/score/csv_head.hpp"
 #include "hil/score/numbers.hpp"
 #include "hil/score/read_estimates.hpp"
 
 namespace drydock::score {
 namespace {
 
-std::optional<Pose> tum_pose(const std::string& line) {
-  std::istringstream words(line);
-  std::string time;
-  std::array<double, 7> v{};
-  words >> time;
-  for (double& value : v) words >> value;
-  const auto at = stamp_of_seconds(time);
-  if (!words || !at) return {};
-  const Eigen::Quaterniond q(v[6], v[3], v[4], v[5]);
-  if (!(std::abs(q.norm() - 1) < 0.01)) return {};
-  return Pose{*at, ned_of_enu(Eigen::Vector3d{v[0], v[1], v[2]}), ned_of_enu(q), {}};
+std::vector<std::string> words_of(std::string_view line) {
+  std::istringstream in(std::string(line.substr(0, line.find('#'))));
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+boost::system::result<Pose, Problem> tum_pose(const std::vector<std::string>& words) {
+  const Problem misfit{"not t x y z qx qy qz qw"};
+  if (words.size() != 8) return misfit;
+  const auto at = stamp_of_seconds(words[0]);
+  const auto number = [&](std::size_t i) {
+    return number_of(words[i]).value_or(std::numeric_limits<double>::quiet_NaN());
+  };
+  const Eigen::Vector3d position{number(1), number(2), number(3)};
+  const Eigen::Quaterniond q(number(7), number(4), number(5), number(6));
+  if (!at || !position.allFinite() || q.coeffs().hasNaN()) return misfit;
+  if (const double norm = q.norm(); !(std::abs(norm - 1) < 0.01))
+    return Problem{fmt::format("the quaternion's length is {:.3g}, allowed: 0.99 to 1.01", norm)};
+  return Pose{*at, ned_of_enu(position), ned_of_enu(q), {}};
 }
 
 }  // namespace
 
-boost::system::result<Track, Problem> read_tum(std::istream& in, const std::string& name) {
-  Track track;
+boost::system::result<Estimates, Problem> read_tum(std::istream& in, const std::string& name) {
+  Estimates out;
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
-    if (line.empty() || line.front() == '#' || line == "\r") continue;
-    const auto pose = tum_pose(line);
-    if (!pose || !pose->position_ned.allFinite())
-      return Problem{fmt::format("{}:{}: not t x y z qx qy qz qw", name, number)};
-    track.push_back(*pose);
+    const auto words = words_of(number == 1 ? without_byte_order_mark(line) : line);
+    if (words.empty()) continue;
+    const auto pose = tum_pose(words);
+    if (!pose) return Problem{fmt::format("{}:{}: {}", name, number, pose.error().line)};
+    out.track.push_back(*pose);
   }
-  return track;
+  return out;
 }
 
 }  // namespace drydock::score

@@ -20,8 +20,8 @@ std::string ending_of(const std::string& path) {
   return dot == std::string::npos ? "" : path.substr(dot + 1);
 }
 
-boost::system::result<Track, Problem> read_track(const ScoreOptions& options,
-                                                 const frame::Position& origin) {
+boost::system::result<Estimates, Problem> read_track(const ScoreOptions& options,
+                                                     const frame::Position& origin) {
   const std::string& path = options.estimates;
   const std::string format = options.format.empty() ? ending_of(path) : options.format;
   if (format == "mcap") return read_odometry(path, options.topic);
@@ -38,19 +38,35 @@ int refused(const std::string& line, int code, std::FILE* err) {
   return code;
 }
 
+/// A file that is not in the order of time has hardly any estimate left, and its figures say
+/// nothing.
+std::string disorder_of(const Pairs& pairs, const ScoreOptions& options) {
+  const auto all = pairs.all.size() + pairs.without_truth + pairs.out_of_order;
+  if (2 * pairs.out_of_order <= all) return {};
+  return fmt::format(
+      "{}: {} of {} estimates are not later than one before them; bring the file into the order of "
+      "time",
+      options.estimates, pairs.out_of_order, all);
+}
+
 }  // namespace
 
 int score(const ScoreOptions& options, std::FILE* out, std::FILE* err) try {
   const auto truth = read_truth(options.truth);
   if (!truth) return refused(truth.error().line, terminal::exit_failed, err);
-  const auto estimates = read_track(options, truth->origin);
+  auto estimates = read_track(options, truth->origin);
   if (!estimates) return refused(estimates.error().line, terminal::exit_failed, err);
-  auto pairs = pairs_of(*estimates, truth->track, measurement::from_seconds(options.longest_gap_s));
+  if (!truth->damage.empty()) estimates->notes.push_back(truth->damage);
+  auto pairs =
+      pairs_of(estimates->track, truth->track, measurement::from_seconds(options.longest_gap_s));
+  if (const auto disorder = disorder_of(pairs, options); !disorder.empty())
+    return refused(disorder, terminal::exit_failed, err);
   align(pairs.all, options.alignment);
   const auto errors = errors_of(pairs.all, measurement::from_seconds(options.interval_s));
-  fmt::print(
-      out, "{}",
-      options.json ? score_json(errors, pairs, options) : score_text(errors, pairs, options));
+  const auto& notes = estimates->notes;
+  fmt::print(out, "{}",
+             options.json ? score_json(errors, pairs, notes, options)
+                          : score_text(errors, pairs, notes, options));
   return terminal::exit_of(errors.pairs > 0);
 } catch (const std::invalid_argument& error) {
   return refused(error.what(), terminal::exit_usage, err);

@@ -16,8 +16,8 @@ struct ScoreOptions {
   bool json = false;
 };
 
-/// The command `drydock score`. Exit code: 0 there are errors to show, 1 no estimate has a truth
-/// or a file cannot be read, 2 wrong usage.
+/// The command `drydock score`. Exit code: 0 there are errors to show, 1 no estimate has a truth,
+/// most of them are out of order, or a file cannot be read, 2 wrong usage.
 int score(const ScoreOptions& options, std::FILE* out, std::FILE* err);
 
 }  // namespace drydock::score

@@ -7,9 +7,12 @@
 
 namespace drydock::score {
 
-std::string score_text(const Errors& errors, const Pairs& pairs, const ScoreOptions& options);
+/// `notes`: what was passed over, a line each.
+std::string score_text(const Errors& errors, const Pairs& pairs,
+                       const std::vector<std::string>& notes, const ScoreOptions& options);
 
 /// docs/use/score.md describes the keys.
-std::string score_json(const Errors& errors, const Pairs& pairs, const ScoreOptions& options);
+std::string score_json(const Errors& errors, const Pairs& pairs,
+                       const std::vector<std::string>& notes, const ScoreOptions& options);
 
 }  // namespace drydock::score

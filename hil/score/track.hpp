@@ -20,6 +20,12 @@ struct Pose {
 /// In the order of time.
 using Track = std::vector<Pose>;
 
+/// What a file of estimates gives.
+struct Estimates {
+  Track track;
+  std::vector<std::string> notes;  ///< what was passed over, for a person
+};
+
 /// Why a file gives no track.
 struct Problem {
   std::string line;  ///< for a person: file, place, what is wrong

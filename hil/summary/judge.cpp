@@ -28,11 +28,12 @@ constexpr DeviceFigure device_figures[]{
     {"reopens", [](const DeviceSummary& d) { return static_cast<double>(d.reopens); }},
 };
 
-/// `missing` says why there may be no value.
+/// `missing` says why there may be no value, beyond the reasons of all figures.
 struct EstimatorFigure {
   std::string_view name;
   Value (*of)(const EstimatorSummary&);
-  const char* missing = "none: no estimate has a truth to compare with";
+  const char* missing = "the estimates do not give it";
+  bool needs_truth = true;
 };
 
 /// NaN: the estimates do not give the quantity.
@@ -48,10 +49,13 @@ Value answer_ms(const EstimatorSummary& e) {
   return e.program ? Value{1e3 * e.program->longest_s} : Value{};
 }
 
+constexpr auto no_covariance =
+    "no estimate with a truth has a covariance above 0: it gives none, or standard deviations of 0";
+
 constexpr EstimatorFigure estimator_figures[]{
-    {"estimates", [](const auto& e) { return Value{static_cast<double>(e.estimates)}; }},
-    {"rejected", [](const auto& e) { return Value{static_cast<double>(e.rejected)}; }},
-    {"valid_share", [](const auto& e) { return e.valid_share; }, "none: no estimate"},
+    {"estimates", [](const auto& e) { return Value{static_cast<double>(e.estimates)}; }, "", false},
+    {"rejected", [](const auto& e) { return Value{static_cast<double>(e.rejected)}; }, "", false},
+    {"valid_share", [](const auto& e) { return e.valid_share; }, "no estimate", false},
     {"roll_rms_deg", [](const auto& e) { return of_attitude(e, &AttitudeError::roll_rms_deg); }},
     {"pitch_rms_deg", [](const auto& e) { return of_attitude(e, &AttitudeError::pitch_rms_deg); }},
     {"heading_rms_deg",
@@ -63,15 +67,30 @@ constexpr EstimatorFigure estimator_figures[]{
     {"depth_rms_m", [](const auto& e) { return of_navigation(e, &NavigationError::depth_rms_m); }},
     {"velocity_rms_mps",
      [](const auto& e) { return of_navigation(e, &NavigationError::velocity_rms_mps); }},
-    {"nees", [](const auto& e) { return of_attitude(e, &AttitudeError::nees_mean); }},
+    {"nees", [](const auto& e) { return of_attitude(e, &AttitudeError::nees_mean); },
+     no_covariance},
     {"nees_position",
-     [](const auto& e) { return of_navigation(e, &NavigationError::nees_position); }},
-    {"nis", [](const auto& e) { return e.nis; }, "none: no sensor's value was taken"},
-    {"estimate_rate_hz", [](const auto& e) { return e.rate_hz; }, "none: fewer than two estimates"},
+     [](const auto& e) { return of_navigation(e, &NavigationError::nees_position); },
+     no_covariance},
+    {"nis", [](const auto& e) { return e.nis; }, "no sensor's value was taken", false},
+    {"estimate_rate_hz", [](const auto& e) { return e.rate_hz; }, "fewer than two estimates",
+     false},
     {"settling_s", [](const auto& e) { return of_attitude(e, &AttitudeError::settling_s); },
-     "never: the last estimate is off by more than a degree, or has no truth"},
-    {"answer_ms", answer_ms, "none: it is no other program"},
+     "the last estimate is off by more than a degree"},
+    {"answer_ms", answer_ms, "it is no other program", false},
 };
+
+/// Why an estimator has no such figure.
+std::string missing_text(const EstimatorFigure& figure, const EstimatorSummary& e) {
+  const std::string none = "none: ";
+  if (figure.name == "answer_ms") return none + figure.missing;
+  if (e.program && !e.program->failure.empty() && e.estimates == 0)
+    return none + "its program " + e.program->failure;
+  if (e.estimates == 0) return none + "no estimate";
+  if (figure.needs_truth && !e.whole_run && !e.navigation)
+    return none + "no estimate has a truth to compare with";
+  return none + figure.missing;
+}
 
 template <class Figures>
 const auto& figure_named(const Figures& figures, const std::string& name) {
@@ -163,7 +182,7 @@ std::vector<Verdict> judge(const rig_config::ExpectConfig& expect, const Outcome
       const auto& known = figure_named(estimator_figures, figure.name);
       if (found.estimator) {
         value = known.of(*found.estimator);
-        missing = known.missing;
+        missing = missing_text(known, *found.estimator);
       }
     }
     verdicts.push_back(judge_figure(subject, figure, value, missing));

@@ -4,19 +4,22 @@
 
 #include <algorithm>
 
+#include "drivers/text/printable.hpp"
+
 namespace drydock::summary {
 namespace {
 
-/// Text inside an attribute. A character that XML 1.0 does not allow becomes a question mark.
+/// Text inside an attribute. A character that XML 1.0 does not allow, or that is no UTF-8, becomes
+/// a question mark.
 std::string attribute(std::string_view text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : text::printable(text)) {
     switch (c) {
       case '&': out += "&amp;"; break;
       case '<': out += "&lt;"; break;
       case '>': out += "&gt;"; break;
       case '"': out += "&quot;"; break;
-      default: out += static_cast<unsigned char>(c) < ' ' ? '?' : c;
+      default: out += c;
     }
   }
   return out;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "drivers/text/json_of_any_text.hpp"
+#include "drivers/text/printable.hpp"
 #include "hil/summary/findings.hpp"
 #include "hil/summary/findings_json.hpp"
 #include "hil/summary/judge.hpp"
@@ -127,7 +129,7 @@ std::string to_json(const Summary& s) {
     if (e.program) root["estimators"].back()["program"] = program_json(*e.program);
   }
   if (s.loop) root["loop"] = loop_json(*s.loop);
-  return root.dump(2) + "\n";
+  return text::json_of_any_text(root) + "\n";
 }
 
 std::string to_text(const Summary& s) {
@@ -140,7 +142,8 @@ std::string to_text(const Summary& s) {
     out += fmt::format("{:<{}} {:<10} {:<9} {:>6.2f} Hz {:>6.2f} Hz {:>10} {:>9} {:>8} {:>6}\n",
                        d.name, name, d.state, d.provenance, d.rate_hz, d.nominal_rate_hz,
                        d.messages, d.bytes_skipped, d.bad_checksums, d.reopens);
-    if (!d.last_error.empty()) out += fmt::format("           last error: {}\n", d.last_error);
+    if (!d.last_error.empty())
+      out += fmt::format("           last error: {}\n", text::printable(d.last_error));
   }
   for (const auto& e : s.estimators) {
     out += fmt::format("{} ({}): {} estimates", e.name, e.kind, e.estimates);

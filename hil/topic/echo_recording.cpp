@@ -6,6 +6,7 @@
 #include "drivers/recordings/record/message_layout.hpp"
 #include "drivers/recordings/record/selection.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/replay/reference/references.hpp"
 #include "hil/topic/topic.hpp"
 
@@ -28,7 +29,7 @@ class RecordedEcho {
                                 {"at_s", measurement::seconds(message.at.time_since_epoch())}};
     for (const auto& [name, value] : replay::values_of(layout_of(*message.schema), message.cdr))
       line[name] = value;
-    fmt::print(out_, "{}\n", line.dump());
+    fmt::print(out_, "{}\n", text::json_of_any_text(line, -1));
   }
   bool full() const { return options_.most > 0 && printed_ >= options_.most; }
   std::uint64_t printed() const { return printed_; }

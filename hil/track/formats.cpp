@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/measurement/units.hpp"
+#include "drivers/text/json_of_any_text.hpp"
 
 namespace drydock::track {
 namespace {
@@ -103,7 +104,8 @@ std::string to_geojson(const Outcome& outcome, std::span<const TrackPoint> point
   Json features = Json::array({line_json(outcome, points)});
   for (const auto& reading : outcome.gathered.dive.readings)
     if (reading.quantity == Quantity::fix) features.push_back(fix_json(outcome, reading));
-  return Json{{"type", "FeatureCollection"}, {"features", features}}.dump() + "\n";
+  const Json json{{"type", "FeatureCollection"}, {"features", features}};
+  return text::json_of_any_text(json, -1) + "\n";
 }
 
 std::string to_gpx(const Outcome& outcome, std::span<const TrackPoint> points) {

@@ -4,6 +4,8 @@
 
 #include "hil/track/outcome.hpp"
 
+#include "drivers/text/json_of_any_text.hpp"
+
 namespace drydock::track {
 namespace {
 
@@ -76,7 +78,7 @@ std::string to_json(const Outcome& outcome) {
             {"passed_over", outcome.gathered.passed_over}};
   for (const auto& sensor : outcome.sensors) json["sensors"].push_back(sensor_json(sensor));
   if (outcome.truth) json["truth"] = truth_json(*outcome.truth);
-  return json.dump(2) + "\n";
+  return text::json_of_any_text(json) + "\n";
 }
 
 }  // namespace drydock::track

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/twin/outcome.hpp"
 #include "hil/twin/outcome_tables.hpp"
 
@@ -78,7 +79,7 @@ std::string to_json(const TwinOutcome& outcome) {
                                {"twin", statistics_json(device.twin)}});
   json["innovations"] = {{"recorded", innovations_json(outcome.recorded)}};
   if (outcome.sailed) json["innovations"]["twin"] = innovations_json(*outcome.sailed);
-  return json.dump(2) + "\n";
+  return text::json_of_any_text(json) + "\n";
 }
 
 }  // namespace drydock::twin

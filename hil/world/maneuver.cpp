@@ -10,6 +10,7 @@
 
 #include "drivers/measurement/units.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/motion/maneuver/maneuver.hpp"
 #include "hil/motion/schedule.hpp"
 #include "hil/report/write_file.hpp"
@@ -168,7 +169,7 @@ int maneuver(const ManeuverOptions& options, std::FILE* out, std::FILE* errors) 
   const auto points = kind == motion::ManeuverKind::spiral ? motion::spiral_points(track)
                                                            : std::vector<motion::SpiralPoint>{};
   if (options.json) {
-    fmt::print(out, "{}\n", to_json(figures, points, track).dump(2));
+    fmt::print(out, "{}\n", text::json_of_any_text(to_json(figures, points, track)));
   } else {
     print_table(out, figures, points, track);
   }

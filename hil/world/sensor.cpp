@@ -7,6 +7,7 @@
 
 #include "drivers/measurement/units.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/report/plot.hpp"
 #include "hil/sensor/allan.hpp"
 #include "hil/sensor/imu_errors.hpp"
@@ -108,7 +109,7 @@ int show_sensor(const SensorOptions& options, std::FILE* out, std::FILE* errors)
     }
   }
   if (options.json)
-    fmt::print(out, "{}\n", allan_json(rows).dump(2));
+    fmt::print(out, "{}\n", text::json_of_any_text(allan_json(rows)));
   else
     print_allan(rows, out);
   return terminal::exit_success;

@@ -9,6 +9,7 @@
 
 #include "drivers/measurement/units.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/report/write_file.hpp"
 #include "hil/sky/ephemeris_file.hpp"
 #include "hil/world/sky_plot.hpp"
@@ -133,7 +134,7 @@ int show_sky(const SkyOptions& options, std::FILE* out, std::FILE* errors) try {
   }
   if (!options.plot.empty()) report::write_file(options.plot, sky_plot_svg(listing));
   if (options.json)
-    fmt::print(out, "{}\n", to_json(listing).dump(2));
+    fmt::print(out, "{}\n", text::json_of_any_text(to_json(listing)));
   else
     print_table(listing, out);
   return terminal::exit_success;

@@ -58,37 +58,37 @@ hil/pilot/real_time        hil/pilot drivers/host drivers/link drivers/io driver
 hil/sensor                 hil/motion estimators/frame drivers/measurement rig_config
 hil/sky                    hil/sensor estimators/frame drivers/measurement rig_config
 hil/study                  hil/report hil/sky hil/sensor hil/motion estimators/[a-z]* drivers/measurement rig_config
-hil/study/run              hil/study hil/report drivers/terminal
+hil/study/run              hil/study hil/report drivers/text drivers/terminal rig_config
 hil/emulate                hil/sky hil/sensor hil/motion estimators/frame drivers/shell drivers/device/timed_framer drivers/wire drivers/measurement rig_config
 hil/emulate/real_time      hil/emulate drivers/link drivers/io drivers/wire drivers/measurement
 hil/fault                  hil/emulate hil/sensor hil/motion drivers/link drivers/wire drivers/measurement rig_config
-hil/proxy                  hil/fault drivers/device drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
-hil/bridge                 hil/proxy drivers/host drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
+hil/proxy                  hil/fault drivers/device drivers/link drivers/io drivers/text drivers/terminal drivers/wire drivers/measurement rig_config
+hil/bridge                 hil/proxy drivers/host drivers/shell drivers/device drivers/link drivers/io drivers/text drivers/terminal drivers/wire drivers/measurement rig_config
 hil/characterize           estimators/frame drivers/measurement rig_config
-hil/characterize/report    hil/characterize hil/bench hil/check hil/report hil/study hil/sensor drivers/decode drivers/recordings/record drivers/bus drivers/link drivers/terminal drivers/measurement rig_config
+hil/characterize/report    hil/characterize hil/bench hil/check hil/report hil/study hil/sensor drivers/decode drivers/recordings/record drivers/bus drivers/link drivers/text drivers/terminal drivers/measurement rig_config
 hil/validity               hil/emulate drivers/measurement
-hil/validity/run           hil/validity hil/bench hil/summary hil/report hil/emulate drivers/link drivers/io drivers/terminal drivers/measurement rig_config
-hil/summary                hil/pilot/loop_account drivers/bus/device drivers/diagnosis hil/report hil/motion estimators/pipeline estimators/frame drivers/host drivers/device drivers/link drivers/measurement rig_config
+hil/validity/run           hil/validity hil/bench hil/summary hil/report hil/emulate drivers/link drivers/io drivers/text drivers/terminal drivers/measurement rig_config
+hil/summary                hil/pilot/loop_account drivers/bus/device drivers/diagnosis hil/report hil/motion estimators/pipeline estimators/frame drivers/host drivers/device drivers/link drivers/measurement rig_config drivers/text
 hil/control/request        drivers/live drivers/terminal
 hil/control                hil/control/request hil/fault hil/summary drivers/host drivers/bus drivers/live drivers/link drivers/io drivers/terminal rig_config
 hil/bench                  hil/pilot hil/pilot/real_time drivers/diagnosis hil/control hil/summary hil/report hil/fault hil/emulate hil/emulate/real_time hil/steer hil/steer/real_time hil/motion estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/monitor drivers/bus drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 hil/check                  hil/pilot hil/fault hil/motion hil/ocean estimators/setup estimators/pipeline estimators/vehicle estimators/hydrodynamics drivers/shell drivers/link drivers/terminal drivers/measurement rig_config
-hil/replay/reference       drivers/recordings/record drivers/bus
+hil/replay/reference       drivers/recordings/record drivers/bus drivers/text
 hil/replay                 drivers/diagnosis drivers/decode hil/report hil/replay/reference hil/bench hil/motion hil/summary hil/fault estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/device drivers/recordings/record drivers/text drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
-hil/diff                   hil/replay hil/summary hil/report drivers/terminal rig_config
-hil/diagnose               drivers/diagnosis hil/replay hil/summary hil/report estimators/host drivers/monitor drivers/probe drivers/host drivers/shell drivers/device drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/wire/protocols drivers/measurement rig_config
-hil/score                  hil/replay hil/replay/reference estimators/frame drivers/recordings/record drivers/recordings/mcap drivers/host drivers/terminal drivers/measurement rig_config
-hil/track                  hil/replay hil/report estimators/smoothing estimators/setup estimators/pipeline estimators/navigation estimators/frame drivers/host drivers/shell drivers/decode drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/measurement rig_config
-hil/calibrate              hil/track hil/report estimators/calibration estimators/smoothing estimators/frame drivers/terminal drivers/measurement rig_config
-hil/compare                drivers/diagnosis hil/track hil/replay hil/bench hil/summary hil/report hil/motion estimators/host estimators/setup estimators/pipeline estimators/frame drivers/decode drivers/host drivers/recordings/record drivers/io drivers/terminal drivers/measurement rig_config
-hil/twin                   hil/track hil/replay hil/characterize hil/bench hil/check hil/report hil/motion hil/ocean hil/sensor estimators/smoothing estimators/frame drivers/recordings/record drivers/host drivers/link drivers/terminal drivers/wire/protocols drivers/measurement rig_config
+hil/diff                   hil/replay hil/summary hil/report drivers/text drivers/terminal rig_config
+hil/diagnose               drivers/diagnosis hil/replay hil/summary hil/report estimators/host drivers/monitor drivers/probe drivers/host drivers/shell drivers/device drivers/recordings/record drivers/link drivers/io drivers/text drivers/terminal drivers/wire/protocols drivers/measurement rig_config
+hil/score                  hil/replay hil/replay/reference estimators/frame drivers/recordings/record drivers/recordings/mcap drivers/host drivers/text drivers/terminal drivers/measurement rig_config
+hil/track                  hil/replay hil/report estimators/smoothing estimators/setup estimators/pipeline estimators/navigation estimators/frame drivers/host drivers/shell drivers/decode drivers/recordings/record drivers/link drivers/io drivers/text drivers/terminal drivers/measurement rig_config
+hil/calibrate              hil/track hil/report estimators/calibration estimators/smoothing estimators/frame drivers/text drivers/terminal drivers/measurement rig_config
+hil/compare                drivers/diagnosis hil/track hil/replay hil/bench hil/summary hil/report hil/motion estimators/host estimators/setup estimators/pipeline estimators/frame drivers/decode drivers/host drivers/recordings/record drivers/io drivers/text drivers/terminal drivers/measurement rig_config
+hil/twin                   hil/track hil/replay hil/characterize hil/bench hil/check hil/report hil/motion hil/ocean hil/sensor estimators/smoothing estimators/frame drivers/recordings/record drivers/host drivers/link drivers/text drivers/terminal drivers/wire/protocols drivers/measurement rig_config
 hil/scorecard              drivers/diagnosis estimators/host hil/bench hil/summary hil/study hil/study/run hil/report hil/motion estimators/pipeline estimators/frame drivers/device drivers/link drivers/terminal drivers/measurement rig_config
 hil/endurance              drivers/diagnosis hil/motion hil/bench hil/summary hil/validity hil/validity/run hil/report hil/fault drivers/text drivers/link drivers/terminal rig_config
-hil/info                   drivers/recordings/record drivers/recordings/mcap drivers/bus drivers/capture drivers/probe drivers/survey drivers/terminal drivers/measurement rig_config
+hil/info                   drivers/recordings/record drivers/recordings/mcap drivers/bus drivers/capture drivers/probe drivers/survey drivers/text drivers/terminal drivers/measurement rig_config
 hil/topic                  hil/replay/reference drivers/recordings/record drivers/recordings/mcap drivers/host drivers/bus drivers/io drivers/text drivers/terminal drivers/measurement rig_config
 hil/example                drivers/terminal rig_config
-hil/world                  hil/report hil/sky hil/sensor hil/motion estimators/frame drivers/measurement drivers/terminal rig_config
-hil/campaign               hil/study hil/study/run hil/report hil/sensor drivers/terminal rig_config
+hil/world                  hil/report hil/sky hil/sensor hil/motion estimators/frame drivers/measurement drivers/text drivers/terminal rig_config
+hil/campaign               hil/study hil/study/run hil/report hil/sensor drivers/text drivers/terminal rig_config
 hil/python                 hil/bench hil/calibrate hil/check hil/fault hil/motion hil/report hil/study hil/study/run hil/summary hil/track estimators/external estimators/pipeline drivers/decode drivers/host drivers/shell drivers/recordings/record drivers/text drivers/terminal drivers/wire drivers/measurement rig_config
 hil/program                hil/[a-z/_]* estimators/[a-z]* drivers/[a-z/]* rig_config
 '

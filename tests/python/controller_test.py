@@ -60,8 +60,11 @@ class Controller(unittest.TestCase):
     def test_a_wrong_answer_or_call_says_what_is_allowed(self):
         with self.assertRaisesRegex(ValueError, "output of 1.5, allowed: -1 to 1"):
             drydock.run(RIG, 5, controller=lambda moment: [1.5])
-        with self.assertRaises(RuntimeError):
-            drydock.run(RIG, 5, controller=lambda moment: "ahead")
+        for wrong in ("ahead", None, 1.0, [None]):
+            with self.assertRaisesRegex(ValueError, "the controller gave .*, allowed: a list of numbers"):
+                drydock.run(RIG, 5, controller=lambda moment: wrong)
+        with self.assertRaisesRegex(ValueError, "gave 7 outputs, allowed: at most the 6 of the vehicle"):
+            drydock.run(RIG, 5, controller=lambda moment: [0] * 7)
         with self.assertRaisesRegex(ValueError, "give duration_s"):
             drydock.run(RIG, controller=lambda moment: [])
         with self.assertRaisesRegex(ValueError, "has no vehicle"):

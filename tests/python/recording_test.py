@@ -69,6 +69,9 @@ class Recording(unittest.TestCase):
         recording = DIVES / "log-drops-out/dive.mcap"
         with self.assertRaisesRegex(ValueError, "sonar"):
             drydock.read_recording(recording, only=["sonar"])
+        for read in (drydock.read_recording, drydock.decode_recording):
+            with self.assertRaisesRegex(ValueError, "allowed: from_s before to_s"):
+                read(recording, from_s=20, to_s=10)
         with self.assertRaisesRegex(RuntimeError, "no-such.mcap"):
             drydock.decode_recording("no-such.mcap")
         with tempfile.TemporaryDirectory() as folder:

@@ -7,6 +7,7 @@
 
 #include "hil/campaign/plan/placeholders.hpp"
 #include "hil/campaign/plan/read_parameter.hpp"
+#include "rig_config/rules/explain.hpp"
 #include "rig_config/rules/schema_check.hpp"
 #include "rig_config/toml/checked_file.hpp"
 #include "rig_config/toml/read_keys.hpp"
@@ -60,6 +61,23 @@ void check_command(const Node& root, const CampaignConfig& campaign, const std::
                                     fmt::join(placeholder_names(campaign), ", "))});
 }
 
+/// In a file most braces are its own: of TOML, of a shell (${x}), of a script. So only a name that
+/// looks like a misspelt placeholder is one. Short names look like each other.
+void check_files(const Node& root, const CampaignConfig& campaign, const std::string& path,
+                 Problems& problems) {
+  const auto names = placeholder_names(campaign);
+  rig_config::for_each_table(root, "file", [&](const Node& table, std::size_t i) {
+    const Node& text = *table.find("text");
+    constexpr std::size_t shortest = 3;
+    for (const auto& name : unknown_placeholders(campaign, text.text)) {
+      const bool own = name.size() < shortest || text.text.find("${" + name) != std::string::npos;
+      if (const auto meant = rig_config::did_you_mean(name, names); !own && !meant.empty())
+        problems.push_back({path, text.at.line, text.at.column, fmt::format("/file/{}/text", i),
+                            fmt::format("there is no '{{{}}}'{}", name, meant)});
+    }
+  });
+}
+
 /// Before anything multiplies: the product of many lists has more digits than an index.
 void check_runs(const CampaignConfig& campaign, const std::string& path, Problems& problems) {
   constexpr double most = 1e9;
@@ -92,6 +110,7 @@ rig_config::Loaded<CampaignConfig> load_campaign_text(std::string_view text,
   });
   check_names(*root, path, problems);
   check_command(*root, campaign, path, problems);
+  check_files(*root, campaign, path, problems);
   check_runs(campaign, path, problems);
   if (!problems.empty()) return problems;
   return campaign;

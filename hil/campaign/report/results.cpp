@@ -37,4 +37,17 @@ Column column_of(const Results& results, std::size_t figure) {
   return column;
 }
 
+std::vector<LackingFigure> lacking_figures(const Results& results) {
+  std::vector<LackingFigure> all;
+  for (std::size_t i = 0; i < results.campaign.figures.size(); ++i) {
+    LackingFigure lacking{.figure = &results.campaign.figures[i]};
+    for (const auto& record : results.records) {
+      if (!record.failure.empty() || record.figures[i]) continue;
+      if (lacking.runs++ == 0) lacking.first = record.index;
+    }
+    if (lacking.runs > 0) all.push_back(lacking);
+  }
+  return all;
+}
+
 }  // namespace drydock::campaign

@@ -36,4 +36,12 @@ struct Column {
 };
 Column column_of(const Results& results, std::size_t figure);
 
+/// A figure that is not in the JSON of every run that did not fail.
+struct LackingFigure {
+  const FigureConfig* figure = nullptr;  // lives in the results
+  std::size_t runs = 0;                  ///< that do not have it
+  std::size_t first = 0;                 ///< of them
+};
+std::vector<LackingFigure> lacking_figures(const Results& results);
+
 }  // namespace drydock::campaign

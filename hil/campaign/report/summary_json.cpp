@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/campaign/report/repeat.hpp"
 #include "hil/campaign/report/summary.hpp"
 
@@ -67,9 +68,15 @@ std::string to_json_text(const Summary& summary) {
                    {"confidence", results.campaign.confidence}};
   json["figures"] = SummaryJson::array();
   for (const auto& figure : summary.figures) json["figures"].push_back(of_figure(summary, figure));
+  json["lacking"] = SummaryJson::array();
+  for (const auto& l : lacking_figures(results))
+    json["lacking"].push_back({{"figure", l.figure->name},
+                               {"at", l.figure->at},
+                               {"runs", l.runs},
+                               {"first_index", l.first}});
   if (!summary.shifts.empty()) json["since_earlier"] = SummaryJson::array();
   for (const auto& shift : summary.shifts) json["since_earlier"].push_back(of_shift(shift));
-  return json.dump(2) + "\n";
+  return text::json_of_any_text(json) + "\n";
 }
 
 }  // namespace drydock::campaign

@@ -88,12 +88,26 @@ Table failure_table(const Summary& summary) {
   return table;
 }
 
+Table lacking_table(const Summary& summary) {
+  const auto& results = *summary.results;
+  Table table{"Figures that runs do not have",
+              {"figure", "at", "runs without it", "the first is run"},
+              {},
+              "see what the path has: run the first of them alone, with --only"};
+  for (const auto& l : lacking_figures(results))
+    table.rows.push_back(
+        {l.figure->name, l.figure->at,
+         fmt::format("{} of {}", l.runs, results.records.size() - results.failed()),
+         std::to_string(l.first)});
+  return table;
+}
+
 }  // namespace
 
 std::vector<Table> tables_of(const Summary& summary) {
   std::vector<Table> tables;
-  for (const auto make :
-       {distribution_table, sensitivity_table, worst_table, shift_table, failure_table})
+  for (const auto make : {distribution_table, sensitivity_table, worst_table, shift_table,
+                          lacking_table, failure_table})
     if (auto table = make(summary); !table.rows.empty()) tables.push_back(std::move(table));
   return tables;
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <system_error>
 
 namespace drydock::campaign {
@@ -30,6 +31,12 @@ void be_the_first_without_memory() {
   ::close(file);
 }
 
+/// To the errors of the run, as a shell does.
+void say_why_not(const char* program) {
+  for (const char* part : {"cannot start ", program, ": ", ::strerrordesc_np(errno), "\n"})
+    if (::write(STDERR_FILENO, part, std::strlen(part)) < 0) return;
+}
+
 /// Between fork and exec in a program with threads only these calls are allowed.
 [[noreturn]] void become(char* const* words, const char* output, const char* errors, pid_t parent) {
   ::setpgid(0, 0);
@@ -40,6 +47,7 @@ void be_the_first_without_memory() {
   redirect(output, STDOUT_FILENO);
   redirect(errors, STDERR_FILENO);
   ::execvp(words[0], words);
+  say_why_not(words[0]);
   ::_exit(not_started);
 }
 

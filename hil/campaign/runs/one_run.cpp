@@ -1,6 +1,7 @@
 #include "hil/campaign/runs/one_run.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,6 +10,7 @@
 #include <sstream>
 
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/text/printable.hpp"
 #include "hil/campaign/plan/figure_path.hpp"
 #include "hil/campaign/plan/placeholders.hpp"
 #include "hil/campaign/runs/child_process.hpp"
@@ -26,17 +28,33 @@ std::string run_text(const fs::path& path) {
   return text.str();
 }
 
-/// The last line that says something, at most this long: a journal is no place for a core dump.
-/// The run's folder has another name each time, so it becomes its placeholder.
-std::string last_words(const fs::path& path) {
-  constexpr std::size_t longest = 300;
-  std::string text = run_text(path);
-  text.erase(text.find_last_not_of(" \n") + 1);
-  text.erase(0, text.rfind('\n') + 1);  // npos + 1 is 0
+/// The lines that say something. The run's folder has another name each time, so it becomes its
+/// placeholder.
+std::vector<std::string> lines_of(const fs::path& path) {
   const std::string folder = path.parent_path().string();
-  for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder))
-    text.replace(at, folder.size(), "{folder}");
-  return text.substr(0, longest);
+  std::istringstream text(run_text(path));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) {
+    for (auto at = line.find(folder); at != std::string::npos; at = line.find(folder))
+      line.replace(at, folder.size(), "{folder}");
+    if (line.find_first_not_of(" \t\r") != std::string::npos)
+      lines.push_back(text::printable(line));
+  }
+  return lines;
+}
+
+/// Why a program ended. Some say it first and add how to get help, others say it last, below where
+/// it happened: the first line, the last one, and what is between if it is short. At most this
+/// long: a journal is no place for a core dump.
+std::string its_words(const fs::path& errors, const fs::path& output) {
+  constexpr std::size_t longest = 300, few = 3;
+  auto lines = lines_of(errors);
+  if (lines.empty()) lines = lines_of(output);
+  if (lines.empty()) return "it printed nothing";
+  if (lines.size() > few) lines = {lines.front(), "...", lines.back()};
+  for (auto& line : lines)
+    if (line.size() > longest / few) line = line.substr(0, longest / few) + "...";
+  return text::printable(fmt::format("{}", fmt::join(lines, " / ")));
 }
 
 /// `drydock` is this program, wherever it is installed.
@@ -45,22 +63,22 @@ std::vector<std::string> runnable(std::vector<std::string> words) {
   return words;
 }
 
-std::string failure_of(const ChildEnd& end, double timeout_s, const fs::path& errors) {
-  if (end.how == Ended::by_timeout) return fmt::format("took longer than {} s", timeout_s);
+std::string failure_of(const ChildEnd& end, const Child& child) {
+  if (end.how == Ended::by_timeout) return fmt::format("took longer than {} s", child.timeout_s);
   if (end.how == Ended::by_signal) return fmt::format("ended by signal {}", end.code);
   if (end.code == terminal::exit_success || end.code == terminal::exit_failed) return {};
-  return fmt::format("exit code {}: {}", end.code, last_words(errors));
+  return fmt::format("exit code {}: {}", end.code, its_words(child.errors, child.output));
 }
 
 /// Adds the figures, or says in `failure` what is missing.
-void take_figures(const CampaignConfig& campaign, const fs::path& json, const fs::path& errors,
+void take_figures(const CampaignConfig& campaign, const fs::path& json, const Child& child,
                   Record& record) {
   const Json document = Json::parse(run_text(json), nullptr, false);
   record.figures.assign(campaign.figures.size(), std::nullopt);
   if (!record.failure.empty()) return;
   if (document.is_discarded()) {
-    record.failure =
-        fmt::format("no JSON came, exit code {}: {}", record.exit_code, last_words(errors));
+    record.failure = fmt::format("no JSON came, exit code {}: {}", record.exit_code,
+                                 its_words(child.errors, child.output));
     return;
   }
   for (std::size_t i = 0; i < campaign.figures.size(); ++i)
@@ -88,9 +106,9 @@ std::optional<Record> do_run(const CampaignConfig& campaign, std::size_t index,
   const ChildEnd end = run_child(child, stopped);
   if (end.how == Ended::from_outside) return std::nullopt;
   Record record{.index = index, .figures = {}, .exit_code = end.code};
-  record.failure = failure_of(end, campaign.timeout_s, child.errors);
+  record.failure = failure_of(end, child);
   const bool to_file = campaign.command.find("{json}") != std::string::npos;
-  take_figures(campaign, to_file ? json_file(folder) : child.output, child.errors, record);
+  take_figures(campaign, to_file ? json_file(folder) : child.output, child, record);
   record.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   record.ended_ms = now_ms();
   return record;

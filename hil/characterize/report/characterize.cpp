@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/report/html.hpp"
 #include "hil/report/table.hpp"
 #include "hil/report/write_file.hpp"
@@ -122,7 +123,7 @@ void show(const CharacterizeOptions& options, const Gathered& gathered,
     for (const auto& table : tables_of(device)) fmt::print(out, "\n{}", report::to_text(table));
     json.push_back(json_of(device));
   }
-  if (!options.json.empty()) report::write_file(options.json, json.dump(2) + "\n");
+  if (!options.json.empty()) report::write_file(options.json, text::json_of_any_text(json) + "\n");
   if (!options.report.empty()) {
     const auto page = std::filesystem::path(options.report) / "index.html";
     report::write_file(page, page_of(options, gathered, devices));

@@ -13,6 +13,11 @@ std::unique_ptr<SteeredVehicle> make_steered_vehicle(const rig_config::MissionCo
       mission, rig_config::steered_over_dds(mission) ? &fins_alone : &fins_of);
 }
 
+std::size_t outputs_of(const rig_config::MissionConfig& mission) {
+  if (mission.thruster_vehicle) return mission.thruster_vehicle->thrusters.size();
+  return rig_config::steered_over_dds(mission) ? 4 : 3;
+}
+
 VehicleState first_state(const rig_config::MissionConfig& mission) {
   VehicleState state;
   state.latitude_rad = mission.latitude_rad;

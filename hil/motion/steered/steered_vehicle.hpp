@@ -24,6 +24,9 @@ class SteeredVehicle {
 /// std::invalid_argument for a vehicle that is not possible.
 std::unique_ptr<SteeredVehicle> make_steered_vehicle(const rig_config::MissionConfig& mission);
 
+/// How many outputs it takes.
+std::size_t outputs_of(const rig_config::MissionConfig& mission);
+
 /// Where a vehicle begins.
 struct VehicleState;
 VehicleState first_state(const rig_config::MissionConfig& mission);

@@ -1,3 +1,4 @@
+#include <cctype>
 #include <memory>
 
 #include "hil/example/start.hpp"
@@ -14,14 +15,18 @@ void add_new(CLI::App& app, Command& command) {
   sub->add_option("KIND", options->kind, "what")
       ->required()
       ->check(CLI::IsMember({"rig", "mission", "waypoints", "sensor", "vehicle"}));
-  sub->add_option("NAME", options->name, "its name, letters, digits, - and _")
+  sub->add_option("NAME", options->name, "its name: letters, digits, - and _, a letter first")
       ->required()
       ->check(CLI::Validator(
           [](const std::string& name) {
             const bool good = name.find_first_not_of(
                                   "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOP"
                                   "QRSTUVWXYZ0123456789-_") == std::string::npos;
-            return good && !name.empty() ? "" : "'" + name + "' is no name; allowed: my-bench";
+            const bool letter_first =
+                !name.empty() && std::isalpha(static_cast<unsigned char>(name[0]));
+            return good && letter_first
+                       ? ""
+                       : "'" + name + "' is no name; allowed: my-bench, a letter first";
           },
           "NAME"));
   sub->add_flag("--overwrite", options->overwrite, "replace what is there");

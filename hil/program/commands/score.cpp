@@ -1,7 +1,10 @@
 #include "hil/score/score.hpp"
 
-#include <map>
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <memory>
+#include <string_view>
 
 #include "hil/program/commands.hpp"
 #include "hil/program/options.hpp"
@@ -10,12 +13,24 @@ namespace drydock::program {
 
 namespace {
 
-std::map<std::string, score::Alignment> alignments() {
-  std::map<std::string, score::Alignment> all;
-  for (std::size_t i = 0; i < score::alignment_names.size(); ++i)
-    all[score::alignment_names.at(i)] = static_cast<score::Alignment>(i);
-  return all;
+std::vector<std::string> alignments() {
+  return {score::alignment_names.begin(), score::alignment_names.end()};
 }
+
+score::Alignment alignment_named(const std::string& name) {
+  return static_cast<score::Alignment>(std::ranges::find(score::alignment_names, name) -
+                                       score::alignment_names.begin());
+}
+
+/// The times of estimates are whole nanoseconds of some centuries.
+const CLI::Validator some_seconds(
+    [](std::string& text) {
+      double value = 0;
+      if (CLI::detail::lexical_cast(text, value) && value >= 1e-9 && value <= 1e9)
+        return std::string{};
+      return fmt::format("'{}' is not allowed; allowed: 1e-9 to 1e9 seconds", text);
+    },
+    "SECONDS");
 
 }  // namespace
 
@@ -29,15 +44,17 @@ void add_score(CLI::App& app, Command& command) {
   sub->add_option("--format", options->format, "csv, tum, mcap; default by the file's name")
       ->check(CLI::IsMember({"csv", "tum", "mcap"}));
   sub->add_option("--topic", options->topic, "of nav_msgs/Odometry, in an MCAP file with several");
-  sub->add_option("--align", options->alignment,
-                  "moves the estimates onto the truth first: none, start, yaw, rigid; default none")
-      ->transform(CLI::CheckedTransformer(alignments(), CLI::ignore_case));
+  sub->add_option_function<std::string>(
+         "--align",
+         [options](const std::string& name) { options->alignment = alignment_named(name); },
+         "moves the estimates onto the truth first: none, start, yaw, rigid; default none")
+      ->transform(CLI::IsMember(alignments(), CLI::ignore_case));
   sub->add_option("--interval", options->interval_s,
                   "of the relative pose error, seconds; default 1")
-      ->check(positive_number);
+      ->check(some_seconds);
   sub->add_option("--longest-gap", options->longest_gap_s,
                   "between two truths, seconds; default 0.2: there is no truth in a longer one")
-      ->check(positive_number);
+      ->check(some_seconds);
   sub->add_flag("--json", options->json, "the figures as JSON");
   sub->callback([options, &command] {
     command = [options] { return score::score(*options, stdout, stderr); };

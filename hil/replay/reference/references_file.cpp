@@ -6,6 +6,8 @@
 
 #include "hil/replay/reference/references.hpp"
 
+#include "drivers/text/json_of_any_text.hpp"
+
 namespace drydock::replay {
 
 namespace {
@@ -17,18 +19,20 @@ void throw_exception_from_error(const ReferencesError& error, const boost::sourc
 }
 
 std::string to_json_text(const References& references) {
-  std::string text = fmt::format("{{\"drydock_references\": {},\n\"part\": {},\n\"topics\": {{",
-                                 references_version, ReferenceValue(references.part).dump());
+  std::string text =
+      fmt::format("{{\"drydock_references\": {},\n\"part\": {},\n\"topics\": {{",
+                  references_version, text::json_of_any_text(ReferenceValue(references.part), -1));
   const char* before_topic = "\n";
   for (const auto& [name, topic] : references.topics) {
     text += fmt::format(
         "{}{}: {{\"type\": {}, \"messages\": {}, \"every\": {}, \"digest\": \"{}\", \"rows\": [",
-        before_topic, ReferenceValue(name).dump(), ReferenceValue(topic.type).dump(),
-        topic.messages, topic.every, topic.digest);
+        before_topic, text::json_of_any_text(ReferenceValue(name), -1),
+        text::json_of_any_text(ReferenceValue(topic.type), -1), topic.messages, topic.every,
+        topic.digest);
     const char* before_row = "\n";
     for (const auto& row : topic.rows) {
-      text +=
-          fmt::format("{}[{}, \"{}\", {}]", before_row, row.at_ns, row.digest, row.values.dump());
+      text += fmt::format("{}[{}, \"{}\", {}]", before_row, row.at_ns, row.digest,
+                          text::json_of_any_text(row.values, -1));
       before_row = ",\n";
     }
     text += "]}";
@@ -72,7 +76,8 @@ boost::system::result<References, ReferencesError> parse_references(const std::s
     const ReferenceValue file = ReferenceValue::parse(text);
     if (file.at("drydock_references") != references_version)
       return ReferencesError{fmt::format("references of version {}, this program reads {}",
-                                         file.at("drydock_references").dump(), references_version)};
+                                         text::json_of_any_text(file.at("drydock_references"), -1),
+                                         references_version)};
     References references;
     references.part = file.at("part").get<std::string>();
     for (const auto& [name, from] : file.at("topics").items()) {

@@ -10,10 +10,12 @@
 #include <optional>
 #include <thread>
 
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/report/table.hpp"
 #include "hil/study/run/study_page.hpp"
 #include "hil/study/run/study_progress.hpp"
 #include "hil/study/run/study_timing.hpp"
+#include "rig_config/rules/explain.hpp"
 
 namespace drydock::study {
 namespace {
@@ -56,7 +58,7 @@ std::string to_json(const study::Study& study, const study::Options& options,
                    {"runs", options.runs},
                    {"runs_done", result.runs}};
   json.update(result.json);
-  return json.dump(2) + "\n";
+  return text::json_of_any_text(json) + "\n";
 }
 
 }  // namespace
@@ -83,7 +85,10 @@ int run_study(const StudyOptions& options, std::FILE* out, std::FILE* errors) {
   const auto all = study::studies();
   const auto found = std::ranges::find(all, options.name, &study::Study::name);
   if (found != all.end()) return run_study(*found, options, out, errors);
-  fmt::print(errors, "study: '{}' is not known, allowed: {}\n", options.name, study_names());
+  std::vector<std::string> names;
+  for (const auto& study : all) names.emplace_back(study.name);
+  fmt::print(errors, "study: '{}' is not known{}, allowed: {}\n", options.name,
+             rig_config::did_you_mean(options.name, names), study_names());
   return study_usage;
 }
 

@@ -12,6 +12,7 @@
 
 #include "drivers/link/uri.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/text/json_of_any_text.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/report/html.hpp"
 #include "hil/report/table.hpp"
@@ -149,7 +150,7 @@ int measure_validity(const Rig& whole, const ValidityOptions& options) {
     json.push_back(json_of(run));
   }
   if (options.bauds) show(sweep_table(runs));
-  if (!options.json.empty()) report::write_file(options.json, json.dump(2) + "\n");
+  if (!options.json.empty()) report::write_file(options.json, text::json_of_any_text(json) + "\n");
   if (!options.report.empty()) {
     const auto page = std::filesystem::path(options.report) / "index.html";
     report::write_file(page, report::html::page("time of validity: " + rig.name, body));

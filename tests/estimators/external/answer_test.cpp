@@ -1,5 +1,6 @@
 #include "estimators/external/answer.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -126,6 +127,33 @@ TEST(Answer, EachSortOfBadLineHasItsFlaw) {
     EXPECT_EQ(answer.step, step) << line;
     EXPECT_TRUE(answer.estimates.empty()) << line;
     EXPECT_NE(answer.what, "") << line;
+  }
+}
+
+/// An answer with one estimate that has these members too.
+Answer with(const std::string& members) {
+  return read_answer(R"({"step":4,"estimates":[{"valid_at_ns":1,"pitch_deg":1,)" + members + "}]}",
+                     Gives::attitude);
+}
+
+TEST(Answer, AFlawNamesItsField) {
+  const auto what = [](const char* members) { return with(members).what; };
+  EXPECT_EQ(what(R"("roll_deg":-Infinity)"), "roll_deg: Infinity, which JSON does not have");
+  EXPECT_EQ(what(R"("roll_deg":1,"attitude_sigma_deg":[1,NaN,1])"),
+            "attitude_sigma_deg: NaN, which JSON does not have");
+  EXPECT_EQ(what(R"("roll_deg":1,"attitude_sigma_deg":[1,-1,1])"),
+            "attitude_sigma_deg that is negative");
+  EXPECT_EQ(what(R"("roll_deg":1,"valid":"true")"), "valid that is neither true nor false");
+  EXPECT_EQ(what(R"("roll_deg":1,"valid":1)"), "valid that is neither true nor false");
+  EXPECT_EQ(what(R"("roll_deg":1,"valid":true)"), "");
+  EXPECT_THAT(what(R"("roll_deg":infinite)"), testing::HasSubstr("which is not JSON"));
+}
+
+TEST(Answer, AHeadingMayHaveCountedItsTurns) {
+  for (const auto& [heading, same] : {std::pair{"725", 5.0}, {"-350", 10.0}, {"270", -90.0}}) {
+    const auto answer = with(R"("roll_deg":1,"heading_deg":)" + std::string(heading));
+    ASSERT_EQ(answer.flaw, Flaw::none) << answer.what;
+    EXPECT_NEAR(attitude(answer).yaw_rad.value(), same * degree, 1e-12) << heading;
   }
 }
 

@@ -156,6 +156,18 @@ TEST(CampaignFile, RefusesMoreRunsThanAnIndexHolds) {
   EXPECT_THAT(problems(text), HasSubstr("are more runs than 1000000000"));
 }
 
+TEST(CampaignFile, RefusesAMisspeltPlaceholderInAFile) {
+  const auto refused = [](const std::string& text) {
+    return problems(lists +
+                    "[[parameter]]\nname = \"delay\"\nlist = [1]\n[[file]]\nname = \"f\"\n" +
+                    "text = '" + text + "'\n");
+  };
+  EXPECT_THAT(refused("seconds = {dely}"),
+              HasSubstr("/file/0/text: there is no '{dely}' (did you mean 'delay'?)"));
+  EXPECT_THAT(refused("{sed} {jsn}"), HasSubstr("there is no '{jsn}' (did you mean 'json'?)"));
+  EXPECT_EQ(refused("{delay} ${dely} {errors = 1} {print} {x}"), "");
+}
+
 TEST(CampaignFile, FillsTheFilesOfARun) {
   const auto campaign =
       loaded(lists + "[[file]]\nname = \"in.toml\"\ntext = \"a = '{a}'\\nb = { c = {b} }\"\n");

@@ -61,7 +61,8 @@ TEST(OutsideProgram, ThatDiesHasItsExitCodeInTheVerdict) {
 TEST(OutsideProgram, ThatDoesNotExistIsSaid) {
   const auto run = with("", "", R"(["./there-is-no-such-program"])");
   EXPECT_FALSE(run.verdict().passed);
-  EXPECT_THAT(run.verdict().measured, HasSubstr("cannot start: No such file or directory"));
+  EXPECT_THAT(run.verdict().measured,
+              HasSubstr("cannot start ./there-is-no-such-program: No such file or directory"));
 }
 
 TEST(OutsideProgram, ThatAnswersLateIsCountedAndUsed) {
@@ -94,7 +95,7 @@ TEST(OutsideProgram, ThatGivesNanLosesThatStepAlone) {
   EXPECT_GE(run.summary.estimators[0].estimates, samples - 10);
   EXPECT_LT(run.summary.estimators[0].estimates, samples);
   EXPECT_NEAR(run.summary.estimators[0].whole_run->roll_rms_deg, 0, 1e-6);
-  EXPECT_THAT(run.said, HasSubstr("answered with NaN"));
+  EXPECT_THAT(run.said, HasSubstr("answered with roll_deg: NaN, which JSON does not have"));
 }
 
 TEST(OutsideProgram, ThatTellsTheFutureIsNotBelieved) {
@@ -103,6 +104,7 @@ TEST(OutsideProgram, ThatTellsTheFutureIsNotBelieved) {
                   "'valid_at_ns': m['valid_at_ns'] + (10**12 if t < 1 else 0)}"));
   EXPECT_FALSE(run.verdict().passed);
   EXPECT_NEAR(static_cast<double>(run.program().out_of_time), 100, 2);
+  EXPECT_THAT(run.said, HasSubstr(" s after the end of its step"));
   EXPECT_NEAR(run.summary.estimators[0].whole_run->roll_rms_deg, 0, 1e-6);
 }
 
@@ -117,6 +119,30 @@ TEST(OutsideProgram, ThatWritesWithoutEndOfLineIsEnded) {
       "import sys\nprint('{\"drydock\":1}', flush=True)\n"
       "sys.stdout.write('x' * 17000000)\nsys.stdout.flush()\nsys.stdin.read()\n");
   EXPECT_THAT(run.verdict().measured, HasSubstr("without an end of line"));
+}
+
+TEST(OutsideProgram, ThatTellsThePastIsNotBelieved) {
+  const auto run =
+      with(client("{'roll_deg': 0.0, 'pitch_deg': 0.0, "
+                  "'valid_at_ns': m['valid_at_ns'] - (10**9 if t > 2 else 0)}"));
+  EXPECT_NEAR(static_cast<double>(run.program().out_of_time), 100, 2) << "1 s until it is newer";
+  EXPECT_THAT(run.said,
+              HasSubstr(" s before the end of its step, which is before its last estimate"));
+}
+
+/// ESC and a byte that is no UTF-8, in the greeting and in an answer.
+TEST(OutsideProgram, ThatWritesAnyBytesIsQuotedAsTextEverywhere) {
+  const std::string bytes = "b'hi \\xff\\xfe <&> \\x01\\x1b[31mred\\n'";
+  const std::string write = "sys.stdout.buffer.write(" + bytes + "); sys.stdout.flush()";
+  const std::string quoted = "\"hi ?? <&> ??[31mred\"";
+  const auto greeting = with("import sys\n" + write + "\nsys.stdin.read()\n");
+  EXPECT_THAT(greeting.said, HasSubstr(quoted));
+  EXPECT_THAT(greeting.verdict().measured, HasSubstr(quoted));
+  EXPECT_THAT(to_json(greeting.summary), HasSubstr("hi ?? <&> ??[31mred"));
+  EXPECT_THAT(to_junit(greeting.summary, "rig.toml"), HasSubstr("hi ?? &lt;&amp;&gt; ??[31mred"));
+  const auto answer = with(client(level, "say(said) if n != 9 else (sys.stdout.buffer.write(" +
+                                             bytes + "), sys.stdout.flush())"));
+  EXPECT_THAT(answer.said, HasSubstr(quoted + ", which is not JSON"));
 }
 
 TEST(OutsideProgram, ItsVerdictIsInJunitToo) {

@@ -61,6 +61,18 @@ TEST(Mistakes, AWordTooManyIsNamedWithThoseThatTheCommandTakes) {
   });
 }
 
+TEST(Mistakes, AWordOfAListIsComparedWithTheList) {
+  expect_told({
+      {"example demoo", 2, "named 'demoo' (did you mean 'demo'?); drydock example lists them"},
+      {"new mision x", 2, "vehicle} (did you mean 'mission'?)"},
+      {"new foo x", 2, "KIND: foo not in {rig,mission,waypoints,sensor,vehicle}\n"},
+      {"new rig 1x", 2, "'1x' is no name; allowed: my-bench, a letter first"},
+      {"score a.csv --truth b.mcap --align yow", 2,
+       "yow not in {none,start,yaw,rigid} (did you mean 'yaw'?)"},
+      {"score a.csv --truth b.mcap --interval 1e10", 2, "allowed: 1e-9 to 1e9 seconds"},
+  });
+}
+
 TEST(Mistakes, AFileThatIsNotThereIsComparedWithThoseThatAre) {
   expect_told({
       {"run demmo --for 1s", 2,

@@ -33,7 +33,9 @@ TEST(Program, AStudyGivesTheSameFilesOnOneThreadAndOnThree) {
 TEST(Program, AStudyWithWrongArgumentsSaysWhatIsAllowed) {
   const auto name = drydock("study levelling");
   EXPECT_EQ(name.exit_code, 2);
-  EXPECT_EQ(name.output.find("study: 'levelling' is not known, allowed: leveling"), 0U);
+  EXPECT_EQ(name.output.find(
+                "study: 'levelling' is not known (did you mean 'leveling'?), allowed: leveling"),
+            0U);
   const auto runs = drydock("study leveling --runs 0");
   EXPECT_EQ(runs.exit_code, 2);
   EXPECT_THAT(runs.output, HasSubstr("1 to 1000000"));

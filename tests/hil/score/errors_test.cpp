@@ -102,10 +102,41 @@ TEST(Score, AScaleOfTheWayIsARelativeError) {
   EXPECT_NEAR(errors.ate_m.mean, 2, 1e-9);
 }
 
+/// Truth at rest, estimates that drift north by 0.1 m/s, each `step_s`.
+Errors drifting(double step_s, double until_s, double gap_from_s = 0, double gap_to_s = 0) {
+  Track estimates, truth;
+  for (double t = 0; t <= until_s; t += step_s) {
+    if (t > gap_from_s && t < gap_to_s) continue;
+    truth.push_back({at(t), {0, 0, 0}, {}, {}});
+    estimates.push_back({at(t), {0.1 * t, 0, 0}, {}, {}});
+  }
+  return errors_of(pairs_of(estimates, truth, any_gap).all, std::chrono::seconds{1});
+}
+
+TEST(Score, ARelativeErrorIsOfPairsThatAreTheIntervalApart) {
+  const auto dense = drifting(0.25, 70);
+  EXPECT_EQ(dense.rpe_pairs, 277U) << "281 estimates, the last four have none a second later";
+  EXPECT_NEAR(dense.rpe_m->max, 0.1, 1e-9);
+  const auto sparse = drifting(10, 70);
+  EXPECT_EQ(sparse.pairs, 8U);
+  EXPECT_EQ(sparse.rpe_pairs, 0U) << "10 s are no 1 s";
+  EXPECT_FALSE(sparse.rpe_m);
+}
+
+TEST(Score, ARelativeErrorIsNotTakenAcrossAGap) {
+  const auto errors = drifting(0.25, 70, 20, 40);
+  EXPECT_NEAR(errors.rpe_m->max, 0.1, 1e-9);
+  EXPECT_EQ(errors.rpe_pairs, 277U - 79U - 4U) << "those in the gap, and the last before it";
+}
+
 TEST(Score, TheSquareOfAnErrorOverItsVarianceIsTheNees) {
   auto estimates = moved(circle(), heading(0), {2, 3, 4});
   for (Pose& pose : estimates) pose.covariance_m2 = Vector3d{4, 9, 4}.asDiagonal();
   EXPECT_NEAR(compared(estimates, Alignment::none).nees.value(), (1 + 1 + 4) / 3.0, 1e-9);
+  estimates[7].covariance_m2 = Eigen::Matrix3d::Zero();
+  const auto errors = compared(estimates, Alignment::none);
+  EXPECT_EQ(errors.covariances, 401U);
+  EXPECT_EQ(errors.nees_pairs, 400U) << "a covariance of zeros cannot be inverted";
 }
 
 TEST(Score, TheTruthIsTakenBetweenItsPosesAndNotAcrossAGap) {

@@ -227,6 +227,7 @@ TEST(Expectations, OfARecordingThatEndsFailWithTheTimeOfItsSilence) {
 TEST(Expectations, OfErrorsFailWhereThereIsNoTruth) {
   summary::Outcome found;
   found.estimator = EstimatorSummary{};
+  found.estimator->estimates = 5;
   found.estimator->nis = 1.25;
   rig_config::ExpectConfig expect;
   expect.estimator = "ins";
