@@ -128,7 +128,9 @@ TEST_F(StudyCommand, AnUnknownNameIsOneLineThatSaysWhatIsAllowed) {
   StudyOptions options;
   options.name = "levelling";
   EXPECT_EQ(run_study(options, out_, errors_), 2);
-  EXPECT_EQ(text_of(errors_), "study: 'levelling' is not known, allowed: " + study_names() + "\n");
+  EXPECT_EQ(text_of(errors_),
+            "study: 'levelling' is not known (did you mean 'leveling'?), allowed: " +
+                study_names() + "\n");
 }
 
 TEST_F(StudyCommand, CasesAreHandedToTheStudyThatHasThem) {
