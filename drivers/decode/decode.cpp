@@ -140,7 +140,8 @@ bool decode_frames(const Make& make, wire::Network network, FileBlocks& blocks,
     receive(bus->second, record, network, sink);
   };
   if (!read_records(blocks, frames, on_record, [&] { return sink.flush(); })) return false;
-  for (auto& [name, decoder] : buses) {
+  for (auto& bus : buses) {
+    auto& decoder = bus.second;
     if constexpr (requires { decoder.finish(); }) decoder.finish();
     counters.bad_checksums += decoder.counters().bad_checksums;
   }

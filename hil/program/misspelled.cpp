@@ -59,7 +59,7 @@ std::string missing_word(const CLI::App& app, const CLI::RequiredError& error) {
 
 /// CLI11 has no other access to the list: "KIND: sensr not in {rig,sensor}".
 std::string misspelled_value(const CLI::ValidationError& error) {
-  const std::string text = error.what();
+  std::string text = error.what();
   const auto list = text.find(" not in {"), end = text.rfind('}');
   const auto name = text.find(": ");
   if (list == std::string::npos || end == std::string::npos || !(name < list)) return text;

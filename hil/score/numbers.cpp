@@ -62,7 +62,7 @@ std::optional<std::int64_t> rounded(const Decimal& decimal) {
   whole.resize(static_cast<std::size_t>(decimal.point) + 1, '0');
   const bool up = whole.back() >= '5';
   whole.back() = decimal.negative ? '-' : '0';
-  std::ranges::rotate(whole, whole.end() - 1);
+  std::rotate(whole.begin(), whole.end() - 1, whole.end());
   const auto value = whole_text<std::int64_t>(whole == "-" ? "0" : whole);
   constexpr std::int64_t limit = 9'000'000'000'000'000'000;
   if (!value || *value > limit || *value < -limit) return {};
