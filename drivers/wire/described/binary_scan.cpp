@@ -30,8 +30,8 @@ bool may_begin(const Plan& plan, const Message& message, Bytes bytes) {
   return !others && may_have_header(plan, bytes);
 }
 
-/// True if the whole message has its checksum and its end.
-bool is_checked(const Plan& plan, const Message& message, Bytes frame) {
+/// True if the whole message has its checksum, with what it takes in behind it, and its end.
+bool is_checked(const Plan& plan, std::string_view extra, Bytes frame) {
   const std::size_t size = plan.checksum.size();
   if (frame.size() < plan.least()) return false;
   const std::size_t content = frame.size() - plan.tail();
@@ -39,7 +39,7 @@ bool is_checked(const Plan& plan, const Message& message, Bytes frame) {
   if (size == 0) return true;
   const Bytes covered = frame.first(content).subspan(plan.checksum_from);
   const std::size_t at = plan.checksum_at.value_or(static_cast<std::uint16_t>(content));
-  return plan.checksum.of(covered, bytes_of(message.extra)) ==
+  return plan.checksum.of(covered, bytes_of(extra)) ==
          load(frame, at, size, plan.checksum_big_endian);
 }
 
@@ -60,8 +60,8 @@ Scan scan_stuffed(const Plan& plan, Bytes bytes) {
   const bool known = named != plan.messages.end();
   // Without a checksum only the name of a packet tells that it is one.
   const bool proven = plan.checksum.size() != 0 || known;
-  if (proven && is_checked(plan, known ? *named : Message{}, packet))
-    return Scan::frame(whole.size);
+  const std::string_view extra = known ? std::string_view(named->extra) : std::string_view();
+  if (proven && is_checked(plan, extra, packet)) return Scan::frame(whole.size);
   return {known ? Scan::Kind::bad_checksum : Scan::Kind::skip, without_end};
 }
 
@@ -83,7 +83,7 @@ Scan scan_binary(const Plan& plan, Bytes bytes) {
     if (*length < shortest || *length > plan.longest) continue;
     if (*length > bytes.size()) {
       waits_for = std::max(waits_for, *length);
-    } else if (is_checked(plan, message, bytes.first(*length))) {
+    } else if (is_checked(plan, message.extra, bytes.first(*length))) {
       best = best == 0 ? *length : std::min(best, *length);
     } else {
       damaged = true;

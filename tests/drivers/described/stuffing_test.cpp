@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "tests/drivers/described/support.hpp"
+#include "tests/drivers/device/allocation_count.hpp"
 #include "tests/drivers/property.hpp"
 
 /// Packets between delimiters.
@@ -174,6 +175,23 @@ TEST(StuffedFrames, ShareADelimiterAndWaitBehindIdleOnes) {
   framer.feed(stream, wire::described::Scanner{&plan}, [&](wire::Bytes, std::size_t) { ++frames; });
   EXPECT_EQ(frames, 3);
   EXPECT_EQ(framer.counters().bytes_skipped, 5u + 2u);
+}
+
+// A name of more than 15 bytes: a copy of the message would allocate.
+TEST(StuffedFrames, AreReadWithoutAnAllocation) {
+  std::string text = depth_by("slip");
+  text.replace(text.find("name = \"depth\""), 14, "name = \"depth_below_the_transducer\"");
+  const auto description = described(text);
+  const auto& plan = description->plan;
+  wire::described::Readings readings;
+  readings.set(wire::described::Target::depth, 1.5);
+  Buffer one(64);
+  one.resize(wire::described::encode(plan, plan.messages[0], readings, one));
+  wire::described::Record record;
+  const device::test::AllocationCount allocations;
+  ASSERT_EQ(wire::described::scan(plan, one), Scan::frame(one.size()));
+  ASSERT_EQ(wire::described::decode(plan, one, record), wire::described::Decoded::message);
+  EXPECT_EQ(allocations.so_far(), 0u);
 }
 
 TEST(StuffedFrames, AreOfBinaryMessagesAlone) {
