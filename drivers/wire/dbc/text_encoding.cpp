@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 
+#include "drivers/wire/utf8.hpp"
+
 namespace drydock::wire::dbc {
 
 namespace {
@@ -15,30 +17,11 @@ constexpr std::array<std::uint16_t, 32> windows_1252{
     0x2039, 0x0152, 0x008D, 0x017D, 0x008F, 0x0090, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
     0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x009D, 0x017E, 0x0178};
 
-/// Bytes of the character that begins with this byte; 0 if none does.
-std::size_t size_of(std::uint8_t first) {
-  if (first < 0x80) return 1;
-  if (first >= 0xC2 && first < 0xE0) return 2;
-  if (first >= 0xE0 && first < 0xF0) return 3;
-  return first >= 0xF0 && first < 0xF5 ? 4 : 0;
-}
-
-/// RFC 3629: neither longer than necessary, nor a surrogate, nor beyond U+10FFFF.
-bool second_fits(std::uint8_t first, std::uint8_t second) {
-  const std::uint8_t lowest = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
-  const std::uint8_t highest = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
-  return second >= lowest && second <= highest;
-}
-
 bool is_utf8(std::string_view bytes) {
-  const auto byte = [&](std::size_t at) { return static_cast<std::uint8_t>(bytes[at]); };
-  for (std::size_t at = 0; at < bytes.size();) {
-    const std::size_t size = size_of(byte(at));
-    if (size == 0 || bytes.size() - at < size) return false;
-    if (size > 1 && !second_fits(byte(at), byte(at + 1))) return false;
-    for (std::size_t i = 2; i < size; ++i)
-      if ((byte(at + i) & 0xC0) != 0x80) return false;
-    at += size;
+  while (!bytes.empty()) {
+    const std::size_t size = utf8_at_front(bytes);
+    if (size == 0) return false;
+    bytes.remove_prefix(size);
   }
   return true;
 }
