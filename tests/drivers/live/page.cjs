@@ -69,7 +69,7 @@ async function measure({ image, colours, figures }) {
   await page.setViewport({ width: Number(width), height: 900 });
   await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: theme }]);
   await page.goto(url, { waitUntil: 'load' });
-  await page.waitForFunction(() => document.querySelectorAll('#devices tbody tr').length > 0 && document.querySelectorAll('figure canvas').length > 3, { timeout: 20000 });
+  await page.waitForFunction(() => document.querySelectorAll('#devices tbody tr').length > 0 && document.querySelectorAll('figure canvas').length > 3, { timeout: 60000 });
   await new Promise((resolve) => setTimeout(resolve, Number(process.argv[7] ?? 4000))); // redraws
   const bench = await browser.newPage();
   let seen, pixels;

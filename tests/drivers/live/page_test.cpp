@@ -49,7 +49,7 @@ void see_devices(const json& devices, int width) {
   EXPECT_EQ(dvl[1], "degraded fault damaged");
   EXPECT_THAT(dvl[2], HasSubstr("no bottom lock for 3 s"));
   EXPECT_THAT(dvl[width > 1000 ? 8 : 2],
-              MatchesRegex(".*a bad checksum ?3 errors, the last at 22:1[34]:[0-9][0-9] UTC"));
+              MatchesRegex(".*a bad checksum ?3 errors, the last at 22:13:[45][0-9] UTC"));
 }
 
 /// A finding is no device: it has its own list, and a badge in the row of its device.
@@ -125,6 +125,7 @@ void see_innovations(const json& figures, int before) {
 class LivePage : public testing::TestWithParam<Look> {
  protected:
   static constexpr int steps_before = 400;  ///< 20 s that only the history has
+  static constexpr int steps_live = 240;    ///< 12 s that the browser sees as they come
 
   void SetUp() override {
     DRYDOCK_NEEDS_NODE();
@@ -135,11 +136,16 @@ class LivePage : public testing::TestWithParam<Look> {
     ASSERT_FALSE(server_.listen());
   }
 
+  /// The bench stands still until the browser looks, which may need a minute, and at the end of
+  /// what it has to show: a busy machine sees the same as a quick one, but later.
   void keep_stepping() {
     timer_.expires_after(milliseconds{50});
     timer_.async_wait([this](const boost::system::error_code& error) {
       if (error || stopped_) return;  // an expired timer can no longer be cancelled
-      bench_.step();
+      if (server_.counters().viewers > 0 && live_steps_ < steps_live) {
+        bench_.step();
+        ++live_steps_;
+      }
       keep_stepping();
     });
   }
@@ -176,6 +182,7 @@ class LivePage : public testing::TestWithParam<Look> {
                  page_files()};
   test::MadeUpBench bench_{server_};
   asio::steady_timer timer_{io_};
+  int live_steps_ = 0;
   bool stopped_ = false;
 };
 
