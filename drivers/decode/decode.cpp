@@ -94,8 +94,8 @@ bool decode_bytes(const Codec& codec, LineFile& line, Sink& sink, wire::StreamCo
   const auto on_frame = [&](wire::Bytes frame, std::size_t) {
     const auto message = codec.decode(frame);
     if (message) sink.message(*message);
-    wire::tell_passed_over<Codec>(frame, message.has_value(),
-                                  [&](const std::string& name) { sink.passed_over(name); });
+    wire::tell_passed_over(codec, frame, message.has_value(),
+                           [&](const std::string& name) { sink.passed_over(name); });
   };
   while (const auto read = line.next()) {
     framer->feed(read->bytes, scan, on_frame);

@@ -30,13 +30,13 @@ std::string frame_name_of(Bytes frame) {
     return frame_name(frame);
 }
 
-/// Calls `tell(name)` for each part of a valid frame that P does not read: the whole frame if it
-/// gave no message, or blocks inside of it if P can tell them.
-template <class P, class Tell>
-void tell_passed_over(Bytes frame, bool has_message, Tell&& tell) {
-  if (!has_message) tell(frame_name_of<P>(frame));
+/// Calls `tell(name)` for each part of a valid frame that the codec does not read: the whole frame
+/// if it gave no message, or blocks inside of it if the codec can tell them.
+template <class Codec, class Tell>
+void tell_passed_over(const Codec& codec, Bytes frame, bool has_message, Tell&& tell) {
+  if (!has_message) tell(frame_name_of<Codec>(frame));
   const auto block = [&](std::uint16_t id) { tell(block_name(id)); };
-  if constexpr (requires { P::unread_blocks(frame, block); }) P::unread_blocks(frame, block);
+  if constexpr (requires { codec.unread_blocks(frame, block); }) codec.unread_blocks(frame, block);
 }
 
 }  // namespace drydock::wire

@@ -36,9 +36,9 @@ bool at_one_place(const Field& a, const Field& b) {
 /// True if a constant of one is another constant of the other at the same place.
 bool constants_differ(std::span<const Field> a, std::span<const Field> b, Form form) {
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].type != Type::constant) continue;
+    if (a[i].type != Type::constant || a[i].record) continue;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      if (b[j].type != Type::constant) continue;
+      if (b[j].type != Type::constant || b[j].record) continue;
       const bool same_place = form == Form::binary ? at_one_place(a[i], b[j]) : i == j;
       const bool differ = form == Form::binary
                               ? a[i].idle != b[j].idle
@@ -109,7 +109,13 @@ std::string outside(const Message& message, const Plan& plan) {
     return fmt::format("has {} bytes, fewer than its sync, its checksums and its end", longest);
   if (length.size != 0 && length.at + std::size_t{length.size} + sum > plan.longest)
     return "its length is outside of it";
+  if (message.records && message.records->from + message.records->header() + sum > longest)
+    return "its records begin outside of it";
   for (const Field& field : plan.fields_of(message)) {
+    if (field.record) continue;
+    if (message.records && field.at + std::size_t{field.size} > message.records->from)
+      return fmt::format("field at {} is where the records are, which begin at byte {}", field.at,
+                         message.records->from);
     if (field.at < message.head.size() && field.type != Type::ignored)
       return fmt::format("field at {} is in the sync, which ends at byte {}", field.at,
                          message.head.size() - 1);

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "rig_config/device_description/field_target.hpp"
+#include "rig_config/device_description/field_validity.hpp"
+#include "rig_config/device_description/units.hpp"
 #include "rig_config/rules/explain.hpp"
 #include "rig_config/toml/read_keys.hpp"
 
@@ -18,20 +20,6 @@ namespace dbc = wire::dbc;
 using described::Field;
 using described::Form;
 using described::Type;
-
-/// How DBC files write some units.
-struct Spelling {
-  std::string_view in_files, here;
-};
-constexpr auto spellings = std::to_array<Spelling>({{"m/s\u00b2", "m/s2"},
-                                                    {"m/s^2", "m/s2"},
-                                                    {"m/s/s", "m/s2"},
-                                                    {"\u00b0", "deg"},
-                                                    {"\u00b0/s", "deg/s"},
-                                                    {"dps", "deg/s"},
-                                                    {"\u00b0/h", "deg/h"},
-                                                    {"\u00b0C", "degC"},
-                                                    {"\u00b0F", "degF"}});
 
 class FieldReader {
  public:
@@ -49,11 +37,12 @@ class FieldReader {
       read_kind();
     read_place();
     if (context_.form == Form::binary && field_.type == Type::constant) check_constant();
-    if (table_.find("field")) read_target(table_, context_, unit_of_file(), field_, problems_);
+    const std::string unit(signal_ ? as_described(signal_->unit) : "");
+    if (table_.find("field")) read_target(table_, context_, unit, field_, problems_);
     if (!field_.target) scale_plainly(table_, context_, field_, problems_);
     if (signal_) scale_by_file();
     if (signal_ && field_.key == "time_s") field_.key = "device_time_s";  // `decode` has a time_s
-    read_validity();
+    read_validity(table_, context_, field_, problems_);
     read_emulated();
     if (const Node* none = table_.find("no_value"))
       for (const Node& number : none->items) field_.no_value.push_back(number.number);
@@ -171,7 +160,15 @@ class FieldReader {
     if (context_.form != Form::binary) return;
     field_.at = static_cast<std::uint16_t>(table_.find("at")->integer);
     if (const Node* order = table_.find("order")) field_.big_endian = order->text == "big";
+    if (const Node* record = table_.find("record")) read_record(*record);
     read_bits(8u * field_.size);
+  }
+
+  void read_record(const Node& record) {
+    field_.record = static_cast<std::uint16_t>(record.integer);
+    if (!context_.has_records) add(record, "its message has no 'records'");
+    if (field_.type == Type::constant)
+      add(record, "a constant is in front of the records: it tells what the message is");
   }
 
   /// A part of an integer, which has `size` bits.
@@ -195,44 +192,6 @@ class FieldReader {
     const int bits = field_.bits > 0 ? field_.bits : 8 * field_.size;
     if (field_.idle >= std::ldexp(1.0, bits))
       add(*table_.find("is"), fmt::format("{} has more than {} bits", field_.idle, bits));
-  }
-
-  /// The unit of the DBC file, as a description writes it.
-  std::string unit_of_file() const {
-    if (!signal_) return "";
-    const auto other = std::ranges::find(spellings, signal_->unit, &Spelling::in_files);
-    return other == spellings.end() ? signal_->unit : std::string(other->here);
-  }
-
-  void read_validity() {
-    const Node* good = table_.find("good");
-    const Node* above = table_.find("above");
-    const Node* bad = table_.find("bad");
-    if (!field_.validity) {
-      for (const Node* key : {good, above, bad})
-        if (key) add(*key, "only for field = \"valid\"");
-      return;
-    }
-    if (!good && !above)
-      add(table_, "field \"valid\" needs 'good' (the values that say so) or 'above'");
-    described::Validity& rule = *field_.validity;
-    if (above) rule.above = above->number;
-    const bool texts = field_.type == Type::text;
-    for (const Node& one : good ? good->items : std::vector<Node>{}) {
-      if (texts != (one.kind == Node::Kind::text))
-        add(one, texts ? "a field of type text has texts here" : "a number is expected here");
-      if (texts)
-        rule.good_texts.push_back(one.text);
-      else
-        rule.good_numbers.push_back(one.number);
-    }
-    if (texts && rule.good_texts.empty())
-      add(table_, "a text cannot be above a number: use 'good'");
-    if (bad) rule.bad_text = bad->text, rule.bad_number = bad->number;
-    if (!rule.good_numbers.empty())
-      field_.idle = rule.good_numbers.front();
-    else if (rule.above)
-      field_.idle = *rule.above + 1;
   }
 
   void read_emulated() {

@@ -19,6 +19,7 @@ struct FieldContext {
   std::string file, path;
   const wire::dbc::Message* message = nullptr;       ///< frames: that of the DBC file
   const std::vector<std::string>* groups = nullptr;  ///< lines: of their pattern
+  bool has_records = false;                          ///< binary: the message is made of records
 };
 
 /// Reads the table of one field of a message. Problems are appended; the field is then not usable.

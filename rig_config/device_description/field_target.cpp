@@ -55,11 +55,12 @@ void read_unit(const Node& table, const FieldContext& context, const TargetRow& 
                fmt::format("{} of {}, allowed: {}",
                            word.empty() ? "no unit" : fmt::format("\"{}\" is no unit", word),
                            row.name, listed(allowed)));
-  field.degrees_minutes = unit->name == degrees_and_minutes;
+  field.notation = described::notation_named(unit->name).value_or(described::Notation{});
   const bool of_text =
       context.form == described::Form::sentences || context.form == described::Form::lines;
-  if (field.degrees_minutes && !of_text)
-    add(problems, context, named ? *named : table, "only a text has degrees and minutes");
+  if (!field.notation.is_plain() && !of_text)
+    add(problems, context, named ? *named : table,
+        fmt::format("only a number of a text is written as {}", unit->name));
   const double scale = read_if(table, "scale").value_or(1);
   field.factor = scale * unit->factor;
   field.offset = read_if(table, "offset").value_or(0) * unit->factor + unit->offset;

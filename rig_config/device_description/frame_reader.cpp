@@ -151,11 +151,11 @@ class FrameReader {
   Problems& problems_;
 };
 
-/// The required targets of a message, each a bit.
-std::uint64_t targets(const wire::described::Plan& plan, std::size_t place) {
-  std::uint64_t found = 0;
+/// The targets of a message.
+wire::described::TargetSet targets(const wire::described::Plan& plan, std::size_t place) {
+  wire::described::TargetSet found;
   for (const Field& field : plan.fields_of(plan.messages[place]))
-    if (field.target) found |= std::uint64_t{1} << static_cast<unsigned>(*field.target);
+    if (field.target) found.set(index_of(*field.target));
   return found;
 }
 
@@ -177,7 +177,7 @@ Problems check_samples(const wire::described::Plan& plan, const wire::described:
         problems.push_back({file, tables[i].at.line, tables[i].at.column,
                             fmt::format("/protocol/frames/{}", i), std::move(what)});
       };
-      if ((targets(plan, i) & targets(plan, j)) != 0)
+      if ((targets(plan, i) & targets(plan, j)).any())
         add(fmt::format("the message of line {} measures the same; allowed: another 'sample'",
                         tables[j].at.line));
       const unsigned a = all[i].message.cycle_ms, b = all[j].message.cycle_ms;

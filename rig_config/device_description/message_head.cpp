@@ -34,6 +34,7 @@ class HeadReader {
     read_extra(protocol_, "/protocol");
     read_extra(table_, path_);
     read_length();
+    if (const Node* records = table_.find("records")) read_records(*records);
   }
 
   void text() {
@@ -94,6 +95,34 @@ class HeadReader {
       message_.length.big_endian = order->text == "big";
     if (const Node* plus = length->find("plus"))
       message_.length.plus = static_cast<std::uint16_t>(plus->integer);
+  }
+
+  /// The size of the integer that names a record, or tells its length.
+  std::uint8_t record_part(const Node& records, const char* key) {
+    Field field;
+    const Node& part = *records.find(key);
+    if (!read_binary_type(part.find("type")->text, field) || field.type != Type::unsigned_integer ||
+        field.size > 2)
+      add(part, path_ + "/records/" + key, "expected a type u8 or u16");
+    return field.size;
+  }
+
+  void read_records(const Node& table) {
+    auto& records = message_.records.emplace();
+    records.from = static_cast<std::uint16_t>(table.find("from")->integer);
+    records.id_at = static_cast<std::uint8_t>(table.find("id")->find("at")->integer);
+    records.id_size = record_part(table, "id");
+    records.length_at = static_cast<std::uint8_t>(table.find("length")->find("at")->integer);
+    records.length_size = record_part(table, "length");
+    records.big_endian = is_big_endian(protocol_);
+    if (const Node* plus = table.find("length")->find("plus"))
+      records.plus = static_cast<std::uint8_t>(plus->integer);
+    const bool apart = records.id_at + records.id_size <= records.length_at ||
+                       records.length_at + records.length_size <= records.id_at;
+    if (!apart)
+      add(table, path_ + "/records", "the id and the length of a record have a byte in common");
+    if (message_.length.size == 0 && !message_.length.is_any())
+      add(table, path_ + "/records", "a message of records has a 'length' that a field says");
   }
 
   void add(const Node& at, const std::string& path, std::string what) {

@@ -170,7 +170,8 @@ class PlanReader {
           file_,
           fmt::format("{}/fields/{}", path, i),
           frames_ ? &frames_->frames[plan().messages.size()].message : nullptr,
-          line ? &line->pattern.groups() : nullptr};
+          line ? &line->pattern.groups() : nullptr,
+          message.records.has_value()};
       read.push_back(read_field(fields->items[i], context, problems_));
       message.publishes |= read.back().target && !described::is_time(*read.back().target);
     }
@@ -204,9 +205,8 @@ class PlanReader {
       for (Problem& one : check_emulated(plan(), messages.items, file_, path_))
         problems_.push_back(std::move(one));
     }
-    if (description_.kind == measurement::Kind::imu && !frames_)
-      for (Problem& one : check_imu(plan(), messages.items, file_, path_))
-        problems_.push_back(std::move(one));
+    for (Problem& one : check_whole(description_, messages.items, file_, path_))
+      problems_.push_back(std::move(one));
     if (description_.kind && std::ranges::none_of(plan().messages, &Message::publishes))
       add(messages, path_, "no field is part of a measurement: none has the key 'field'");
   }

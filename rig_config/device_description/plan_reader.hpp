@@ -16,9 +16,10 @@ wire::described::Description read_description(const Node& root, const std::strin
 Problems check_plan(const wire::described::Plan& plan, std::span<const Node> tables,
                     const std::string& file, const std::string& path);
 
-/// Samples of an IMU on a line that can never be whole.
-Problems check_imu(const wire::described::Plan& plan, std::span<const Node> tables,
-                   const std::string& file, const std::string& path);
+/// Samples that can never be whole: forces without rates, a velocity or quaternion without a
+/// component.
+Problems check_whole(const wire::described::Description& description, std::span<const Node> tables,
+                     const std::string& file, const std::string& path);
 
 /// Lines whose `emulate` makes a text that is not their message.
 Problems check_emulated(const wire::described::Plan& plan, std::span<const Node> tables,

@@ -15,9 +15,6 @@ struct WireUnit {
   double factor = 1, offset = 0;
 };
 
-/// 5430.5 is 54 degrees and 30.5 minutes: no factor tells it.
-inline constexpr std::string_view degrees_and_minutes = "ddmm";
-
 /// The units that a description can name. Pressures: NIST SP 811 (2008) and ISO 80000-4. psi: lbf
 /// of standard gravity over a square inch; mH2O and inHg: conventional, with 1000 and 13595.1
 /// kg/m3.
@@ -42,6 +39,21 @@ inline constexpr auto wire_units = [] {
       {"ns", d::time, 1e-9},
       {"min", d::time, 60},
       {"h", d::time, 3600},
+      {"hhmmss", d::time},
+      {"hh:mm:ss", d::time},
+      {"ddmmyy", d::date},
+      {"ddmmyyyy", d::date},
+      {"dd/mm/yy", d::date},
+      {"dd/mm/yyyy", d::date},
+      {"dd.mm.yyyy", d::date},
+      {"dd-mm-yyyy", d::date},
+      {"mmddyy", d::date},
+      {"mm/dd/yy", d::date},
+      {"mm/dd/yyyy", d::date},
+      {"yymmdd", d::date},
+      {"yyyymmdd", d::date},
+      {"yyyy-mm-dd", d::date},
+      {"yyyy/mm/dd", d::date},
       {"m/s", d::speed},
       {"cm/s", d::speed, 0.01},
       {"mm/s", d::speed, 1e-3},
@@ -68,7 +80,7 @@ inline constexpr auto wire_units = [] {
       {"mrad", d::angle, 1e-3},
       {"deg", d::angle, units::degree},
       {"arcmin", d::angle, units::degree / 60},
-      {degrees_and_minutes, d::angle, units::degree},
+      {"ddmm", d::angle, units::degree},
       {"rad/s", d::turn_rate},
       {"mrad/s", d::turn_rate, 1e-3},
       {"deg/s", d::turn_rate, units::degree},
@@ -84,6 +96,27 @@ constexpr const WireUnit* find_unit(std::string_view name) {
   for (const WireUnit& unit : wire_units)
     if (unit.name == name) return &unit;
   return nullptr;
+}
+
+/// How DBC files write some units.
+struct Spelling {
+  std::string_view in_files, here;
+};
+inline constexpr auto spellings = std::to_array<Spelling>({{"m/s\u00b2", "m/s2"},
+                                                           {"m/s^2", "m/s2"},
+                                                           {"m/s/s", "m/s2"},
+                                                           {"\u00b0", "deg"},
+                                                           {"\u00b0/s", "deg/s"},
+                                                           {"dps", "deg/s"},
+                                                           {"\u00b0/h", "deg/h"},
+                                                           {"\u00b0C", "degC"},
+                                                           {"\u00b0F", "degF"}});
+
+/// The unit of a DBC file, as a description writes it.
+constexpr std::string_view as_described(std::string_view unit_of_file) {
+  for (const Spelling& one : spellings)
+    if (one.in_files == unit_of_file) return one.here;
+  return unit_of_file;
 }
 
 }  // namespace drydock::rig_config

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "drivers/capture/day_clock.hpp"
 #include "drivers/capture/formats/message_frames.hpp"
 #include "drivers/capture/reader.hpp"
+#include "drivers/wire/day_clock.hpp"
 
 namespace drydock::capture {
 
@@ -19,7 +19,7 @@ class ActisenseAscii final : public LineReader {
  private:
   Reading read_line(std::string_view line) override;
 
-  DayClock clock_;
+  wire::DayClock clock_;
   MessageFrames frames_;
 };
 

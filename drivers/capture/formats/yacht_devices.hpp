@@ -1,7 +1,7 @@
 #pragma once
 
-#include "drivers/capture/day_clock.hpp"
 #include "drivers/capture/reader.hpp"
+#include "drivers/wire/day_clock.hpp"
 
 namespace drydock::capture {
 
@@ -16,7 +16,7 @@ class YachtDevices final : public LineReader {
  private:
   Reading read_line(std::string_view line) override;
 
-  DayClock clock_;
+  wire::DayClock clock_;
 };
 
 }  // namespace drydock::capture

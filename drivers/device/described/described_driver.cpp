@@ -50,7 +50,7 @@ void DescribedDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output
   const bool again = repeats(arrival.read_at);
   if (!record_.message->is_alone())
     join(arrival, out);
-  else if (record_.message->publishes && !again)
+  else if (record_.message->publishes && !again && measures(record_))
     publish(arrival, out);
 }
 

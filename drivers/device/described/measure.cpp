@@ -16,8 +16,16 @@ using enum wire::described::Target;
 
 constexpr double oldest_s = 10;  ///< an age beyond it is that of clocks that were set
 
-/// Seconds since 1970 of 32 bits: no clock shows anything else.
-constexpr bool is_clock_time(double s) { return s >= 0 && s < 4294967296.0; }
+constexpr double day_s = 86400;
+
+/// The time of a clock; a time of day is one since 1970, if the message has the date. Empty: the
+/// message does not say, or says what no clock shows, which is seconds since 1970 of 32 bits.
+std::optional<std::chrono::nanoseconds> clock_time(const Readings& r, Target of) {
+  const auto time_s = r.get(of);
+  if (!time_s || !(*time_s >= 0 && *time_s < 4294967296.0)) return {};
+  const auto midnight = *time_s <= day_s ? r.get(date).value_or(0) : 0;  // apart, to the nanosecond
+  return measurement::from_seconds(midnight) + measurement::from_seconds(*time_s);
+}
 
 std::optional<Eigen::Vector3d> vector_of(const Readings& r, Target x, Target y, Target z) {
   if (!r.has(x) || !r.has(y) || !r.has(z)) return {};
@@ -102,8 +110,7 @@ measurement::GnssFix gnss_fix(const Readings& r) {
   m.position_dop = r.get(dilution);
   if (const auto used = r.get(satellites_used); used && *used >= 0 && *used < 256)
     m.satellites_used = static_cast<int>(*used);
-  if (const auto time_s = r.get(utc); time_s && is_clock_time(*time_s))
-    m.utc = measurement::Stamp{measurement::from_seconds(*time_s)};
+  if (const auto since_1970 = clock_time(r, utc)) m.utc = measurement::Stamp{*since_1970};
   return m;
 }
 
@@ -132,10 +139,7 @@ measurement::Measurement from(Sample sample, const Origin& origin) {
 }  // namespace
 
 std::optional<std::chrono::nanoseconds> device_time_of(const Readings& readings) {
-  auto time_s = readings.get(time);
-  if (!time_s) time_s = readings.get(valid_at);
-  if (!time_s || !is_clock_time(*time_s)) return {};
-  return measurement::from_seconds(*time_s);
+  return clock_time(readings, readings.has(time) ? time : valid_at);
 }
 
 measurement::Measurement measurement_of(const Readings& readings, const Origin& origin,
@@ -156,6 +160,7 @@ std::optional<std::chrono::nanoseconds> age_of(const Readings& readings) {
   auto age_s = readings.get(age);
   const auto valid_s = readings.get(valid_at), sent_s = readings.get(sent_at);
   if (!age_s && valid_s && sent_s) age_s = *sent_s - *valid_s;
+  if (age_s && *age_s < -day_s / 2) *age_s += day_s;  // midnight came between the two
   if (!age_s || !(*age_s >= 0 && *age_s <= oldest_s)) return {};
   return measurement::from_seconds(*age_s);
 }

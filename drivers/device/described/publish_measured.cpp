@@ -4,8 +4,10 @@
 #include <array>
 
 #include "drivers/device/described/measure.hpp"
+#include "drivers/device/described/quaternion_attitude.hpp"
 #include "drivers/device/vessel/attitude_gate.hpp"
 #include "drivers/device/vessel/depth_gate.hpp"
+#include "drivers/wire/described/description.hpp"
 
 namespace drydock::device {
 namespace {
@@ -38,13 +40,37 @@ bool is_possible_attitude(const Readings& r, Output& out) {
          is_possible_turn(r.get(rate_of_turn), out);
 }
 
+/// True if the device's time is a time of day, and no message says of which.
+bool has_no_date(const wire::described::Plan& plan) {
+  bool of_day = false;
+  for (const auto& field : plan.fields) {
+    if (field.target == Target::date) return false;
+    of_day |= field.notation.digits == wire::described::Digits::clock;
+  }
+  return of_day;
+}
+
 }  // namespace
+
+MeasuredPublisher::MeasuredPublisher(const DriverOptions& options)
+    : options_(options),
+      axes_(options),
+      log_(options),
+      dvl_(options),
+      tells_no_date_(has_no_date(options.description->plan)) {}
 
 void MeasuredPublisher::publish(const Readings& readings, measurement::Origin origin, Output& out) {
   if (!is_complete(readings, options_.kind))
     return out.refuse("a sample without all six components was refused");
   origin.device_time = device_time_of(readings);
-  if (options_.kind == Kind::attitude) return publish_attitude(readings, origin, out);
+  if (origin.device_time && tells_no_date_)
+    origin.device_time = day_.since_first_midnight(*origin.device_time);
+  if (options_.kind == Kind::attitude) {
+    if (!has_quaternion(readings)) return publish_attitude(readings, origin, out);
+    const auto turned = with_angles(readings);
+    if (!turned) return out.refuse("a quaternion whose length is not 1 was refused");
+    return publish_attitude(*turned, origin, out);
+  }
   auto measured = measurement_of(readings, origin, options_);
   if (auto* dvl = std::get_if<measurement::BottomVelocity>(&measured))
     return dvl_.publish(*dvl, {}, out);

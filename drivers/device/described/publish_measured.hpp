@@ -5,6 +5,7 @@
 #include "drivers/device/dvl/dvl_finish.hpp"
 #include "drivers/device/vessel/attitude_axes.hpp"
 #include "drivers/device/vessel/log_axes.hpp"
+#include "drivers/wire/day_clock.hpp"
 #include "drivers/wire/described/targets.hpp"
 
 namespace drydock::device {
@@ -13,8 +14,7 @@ namespace drydock::device {
 /// sample of an IMU without all six components.
 class MeasuredPublisher {
  public:
-  explicit MeasuredPublisher(const DriverOptions& options)
-      : options_(options), axes_(options), log_(options), dvl_(options) {}
+  explicit MeasuredPublisher(const DriverOptions& options);
 
   void publish(const wire::described::Readings& readings, measurement::Origin origin, Output& out);
 
@@ -23,9 +23,11 @@ class MeasuredPublisher {
                         const measurement::Origin& origin, Output& out);
 
   const DriverOptions& options_;
-  AttitudeAxes axes_;  ///< kind attitude
-  LogAxes log_;        ///< kind emlog
-  DvlFinish dvl_;      ///< kind dvl
+  AttitudeAxes axes_;   ///< kind attitude
+  LogAxes log_;         ///< kind emlog
+  DvlFinish dvl_;       ///< kind dvl
+  bool tells_no_date_;  ///< of the time of day that the messages have
+  wire::DayClock day_;
 };
 
 }  // namespace drydock::device

@@ -3,6 +3,7 @@
 
 #include "drivers/wire/described/binary_bytes.hpp"
 #include "drivers/wire/described/codec.hpp"
+#include "drivers/wire/described/records.hpp"
 
 namespace drydock::wire::described {
 namespace {
@@ -41,28 +42,46 @@ std::optional<double> number_of(const Field& field, Bytes frame) {
   return static_cast<double>(part);
 }
 
+/// Reads field `i` of these bytes, in which its place counts. False: they are too short for it, or
+/// have another constant.
+bool take(const Field& field, Bytes bytes, std::size_t i, Record& record) {
+  if (field.at + std::size_t{field.size} > bytes.size()) return false;
+  if (field.type == Type::constant) return has_constant(field, bytes);
+  Value& value = record.values[i];
+  const auto number = number_of(field, bytes);
+  if (field.type == Type::real && number && std::isnan(*number)) return true;  // it says: no value
+  if (number && field.validity) take_validity(field, {Value::State::number, *number}, {}, record);
+  if (number) take_number(field, *number, value);
+  if (!number) value.state = Value::State::malformed;
+  if (value.state == Value::State::malformed) record.malformed |= 1u << i;
+  return true;
+}
+
+/// The fields of each record that came. False: a record is longer than the frame, or too short.
+bool take_records(const Plan& plan, const Message& message, Bytes content, Record& record) {
+  const auto fields = plan.fields_of(message);
+  bool fit = true;
+  const bool whole = for_each_record(*message.records, content, [&](std::uint16_t id, Bytes of) {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (fields[i].record != id) continue;
+      fit = fit && take(fields[i], of, i, record);
+      record.present |= 1u << i;
+    }
+  });
+  return fit && whole;
+}
+
 }  // namespace
 
 bool decode_binary(const Plan& plan, const Message& message, Bytes frame, Record& record) {
   if (frame.size() < plan.least() || !has_length(message.length, frame)) return false;
   const auto fields = plan.fields_of(message);
-  const std::size_t content = frame.size() - plan.tail();
+  const Bytes content = frame.first(frame.size() - plan.tail());
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const Field& field = fields[i];
-    Value& value = record.values[i];
-    value = {};
-    if (field.at + std::size_t{field.size} > content) return false;  // of a frame with a length
-    if (field.type == Type::constant) {
-      if (!has_constant(field, frame)) return false;
-      continue;
-    }
-    const auto number = number_of(field, frame);
-    if (field.type == Type::real && number && std::isnan(*number)) continue;  // it says: no value
-    if (number && field.validity) take_validity(field, {Value::State::number, *number}, {}, record);
-    if (number) take_number(field, *number, value);
-    if (!number) value.state = Value::State::malformed;
-    if (value.state == Value::State::malformed) record.malformed |= 1u << i;
+    record.values[i] = {};
+    if (!fields[i].record && !take(fields[i], content, i, record)) return false;
   }
+  if (message.records && !take_records(plan, message, content, record)) return false;
   divide(record);
   return true;
 }
@@ -140,14 +159,53 @@ void put_checksums(const Plan& plan, const Message& message, std::span<std::uint
   if (header_is_last) put_header();
 }
 
+/// False: the field has no way to say that there is no value.
+bool put_field(std::span<const Field> fields, const Field& field, const Readings& readings,
+               std::span<std::uint8_t> out) {
+  const auto number = wire_number(fields, field, readings);
+  const bool real = field.type == Type::real;
+  if (!number && !real && !says_nothing_holds(fields, readings)) return false;
+  put(field, number.value_or(real ? std::nan("") : field.idle), out);
+  return true;
+}
+
+std::size_t bytes_of_records(const Records& records, std::span<const Field> fields) {
+  std::size_t bytes = 0;
+  for_each_described_record(
+      fields, [&](std::uint16_t, std::size_t size) { bytes += records.header() + size; });
+  return bytes;
+}
+
+bool put_records(const Records& records, std::span<const Field> fields, const Readings& readings,
+                 std::span<std::uint8_t> out) {
+  bool all = true;
+  for_each_described_record(fields, [&](std::uint16_t id, std::size_t size) {
+    const std::size_t whole = records.header() + size;
+    store(out, records.id_at, records.id_size, records.big_endian, id);
+    store(out, records.length_at, records.length_size, records.big_endian, whole - records.plus);
+    for (const Field& field : fields)
+      if (field.record == id)
+        all &= put_field(fields, field, readings, out.subspan(records.header()));
+    out = out.subspan(whole);
+  });
+  return all;
+}
+
+/// Bytes of a message in front of its records and its tail.
+std::size_t header_size(const Plan& plan, const Message& message) {
+  std::size_t size = std::max({message.head.size(), plan.least() - plan.tail(),
+                               message.length.at + std::size_t{message.length.size}});
+  for (const Field& field : plan.fields_of(message))
+    if (!field.record) size = std::max(size, field.at + std::size_t{field.size});
+  return message.records ? std::max<std::size_t>(size, message.records->from) : size;
+}
+
 std::size_t encode_whole(const Plan& plan, const Message& message, const Readings& readings,
                          std::span<std::uint8_t> out) {
   const auto fields = plan.fields_of(message);
-  const std::size_t tail = plan.tail();
-  std::size_t content = std::max({message.head.size(), plan.least() - tail,
-                                  message.length.at + std::size_t{message.length.size}});
-  for (const Field& field : fields)
-    content = std::max<std::size_t>(content, field.at + std::size_t{field.size});
+  const std::size_t header = header_size(plan, message), tail = plan.tail();
+  const std::size_t content =
+      header + (message.records ? bytes_of_records(*message.records, fields) : 0);
   const bool fixed = message.length.size == 0 && !message.length.is_any();
   const std::size_t size = fixed ? message.length.fixed : content + tail;
   if (size > out.size() || size < content + tail) return 0;
@@ -155,12 +213,10 @@ std::size_t encode_whole(const Plan& plan, const Message& message, const Reading
   std::ranges::copy(message.head, out.begin());
   const Length& length = message.length;
   if (length.size != 0) store(out, length.at, length.size, length.big_endian, size - length.plus);
-  for (const Field& field : fields) {
-    const auto number = wire_number(fields, field, readings);
-    const bool real = field.type == Type::real;
-    if (!number && !real && !says_nothing_holds(fields, readings)) return 0;
-    put(field, number.value_or(real ? std::nan("") : field.idle), out);
-  }
+  for (const Field& field : fields)
+    if (!field.record && !put_field(fields, field, readings, out)) return 0;
+  if (message.records && !put_records(*message.records, fields, readings, out.subspan(header)))
+    return 0;
   put_checksums(plan, message, out.first(size));
   std::ranges::copy(plan.end, out.begin() + static_cast<std::ptrdiff_t>(size - plan.end.size()));
   return size;

@@ -25,7 +25,7 @@ bool may_begin(const Plan& plan, const Message& message, Bytes bytes) {
     if (bytes[i] != static_cast<std::uint8_t>(message.head[i])) return false;
   const bool others = std::ranges::any_of(plan.fields_of(message), [&](const Field& field) {
     const bool came = bytes.size() >= field.at + std::size_t{field.size};
-    return field.type == Type::constant && came && !has_constant(field, bytes);
+    return field.type == Type::constant && !field.record && came && !has_constant(field, bytes);
   });
   return !others && may_have_header(plan, bytes);
 }

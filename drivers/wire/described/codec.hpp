@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 
 #include "drivers/wire/described/record.hpp"
 
@@ -43,6 +44,9 @@ bool has_head(const Message& message, Bytes bytes);
 /// The first message whose head, constants and number of fields are those of a sentence or line.
 Decoded decode_texts(const Plan& plan, Bytes frame, Record& record);
 bool decode_binary(const Plan& plan, const Message& message, Bytes frame, Record& record);
+/// Tells the identifier of each record of a frame of scan() that its message does not describe.
+void unread_records(const Plan& plan, Bytes frame,
+                    const std::function<void(std::uint16_t)>& unread);
 
 /// What both have in common: a number of the wire becomes the field's value.
 inline void take_number(const Field& field, double number, Value& value) {

@@ -25,6 +25,12 @@ struct DescribedCodec {
     return message;
   }
 
+  /// Calls `unread(id)` for each record of a valid frame that its message does not describe.
+  template <class F>
+  void unread_blocks(Bytes frame, F&& unread) const {
+    described::unread_records(description->plan, frame, unread);
+  }
+
   DescriptionPtr description;
   std::string_view name;
 };

@@ -12,6 +12,7 @@
 #include "drivers/wire/described/checksums.hpp"
 #include "drivers/wire/described/flat_texts.hpp"
 #include "drivers/wire/described/line_pattern.hpp"
+#include "drivers/wire/described/notation.hpp"
 #include "drivers/wire/described/stuffing.hpp"
 #include "drivers/wire/described/targets.hpp"
 
@@ -57,6 +58,7 @@ struct Field {
   std::uint16_t at = 0;   ///< binary: first byte; frames: the signal; a pattern: the group
   std::uint8_t size = 0;  ///< binary: bytes
   bool big_endian = false;
+  std::optional<std::uint16_t> record;   ///< binary: `at` counts in the content of this record
   std::uint8_t first_bit = 0, bits = 0;  ///< a part of the integer; bits 0: all of it
   double factor = 1, offset = 0;         ///< value = number * factor + offset
   std::vector<double> no_value;          ///< numbers on the wire that are none
@@ -67,7 +69,7 @@ struct Field {
   std::uint8_t sign_of = 0;              ///< of a sign: the field of this message that it has
   std::string minus;                     ///< of a sign
   bool signed_apart = false;             ///< a sign of another field has this one's
-  bool degrees_minutes = false;          ///< text: 5430.5 is 54 degrees and 30.5 minutes
+  Notation notation;                     ///< text: of a number that no factor turns into SI
   std::uint8_t decimals = 3, width = 0;  ///< as an emulated device writes it
   char sign = 0;    ///< and before a number that is not negative: '+', ' '; 0: nothing
   double idle = 0;  ///< number that an emulated device sends without target
@@ -83,6 +85,18 @@ struct Length {
   std::uint16_t plus = 0;
 
   bool is_any() const { return size == 0 && fixed == 0; }
+};
+
+/// Parts of a binary message that come in any order, each behind its identifier and its length.
+struct Records {
+  std::uint16_t from = 0;  ///< first byte of the first one
+  std::uint8_t id_at = 0, id_size = 0, length_at = 0, length_size = 0;
+  bool big_endian = false;
+  std::uint8_t plus = 0;  ///< bytes of a record that its length does not count
+
+  std::size_t header() const {
+    return std::max(id_at + std::size_t{id_size}, length_at + std::size_t{length_size});
+  }
 };
 
 /// A checksum of the header alone, of its bytes from `from` to before `to`: a length that is
@@ -102,7 +116,8 @@ struct Message {
   std::string head;         ///< text or sync bytes with which it begins
   bool any_talker = false;  ///< sentences: the two characters behind the first may be any letters
   Length length;            ///< binary
-  std::string extra;        ///< binary: what its CRC takes in behind the rest, and nobody sends
+  std::optional<Records> records;  ///< binary
+  std::string extra;  ///< binary: what its CRC takes in behind the rest, and nobody sends
   std::shared_ptr<const PatternLine> line;  ///< lines: by a pattern; null: by fields in order
   std::uint16_t first_field = 0, fields = 0;
   std::vector<std::uint8_t> mapped;  ///< its fields with a target, by rank

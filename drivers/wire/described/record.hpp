@@ -23,7 +23,7 @@ struct Record {
   std::array<Value, most_fields> values;
   bool valid = true;       ///< as the message says
   unsigned malformed = 0;  ///< fields that were no numbers; they read as empty
-  unsigned present = 0;    ///< frames: fields that this one has
+  unsigned present = 0;    ///< frames, and messages of records: fields that this one has
 
   void begin(const Plan& of, const Message& one) {
     type = one.name;
@@ -45,6 +45,16 @@ inline void read(const Record& record, Readings& readings) {
     readings.set(*fields[i].target, value.number);
   }
   if (!record.valid) readings.keep_times();
+}
+
+/// False for a message of records in which no record came that has a part of the measurement.
+inline bool measures(const Record& record) {
+  const auto fields = record.plan->fields_of(*record.message);
+  return !record.message->records ||
+         std::ranges::any_of(record.message->mapped, [&](std::uint8_t i) {
+           return !is_time(*fields[i].target) &&
+                  (!fields[i].record || (record.present >> i & 1) != 0);
+         });
 }
 
 template <class F>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <bit>
+#include <bitset>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -14,16 +14,16 @@ namespace drydock::wire::described {
 
 using measurement::Kind;
 
-/// The exponents of length, time, mass, angle and temperature.
+/// The exponents of length, time, mass, angle and temperature; a date is none of them.
 struct Dimension {
-  std::int8_t length = 0, time = 0, mass = 0, angle = 0, temperature = 0;
+  std::int8_t length = 0, time = 0, mass = 0, angle = 0, temperature = 0, date = 0;
   friend constexpr bool operator==(const Dimension&, const Dimension&) = default;
 };
 
 namespace dimension {
 inline constexpr Dimension none{}, length{1}, time{0, 1}, speed{1, -1}, acceleration{1, -2},
     variance{2, -2}, pressure{-1, -2, 1}, angle{0, 0, 0, 1}, turn_rate{0, -1, 0, 1},
-    temperature{0, 0, 0, 0, 1};
+    temperature{0, 0, 0, 0, 1}, date{0, 0, 0, 0, 0, 1};
 }  // namespace dimension
 
 enum class Target : std::uint8_t {
@@ -31,6 +31,7 @@ enum class Target : std::uint8_t {
   valid_at,
   sent_at,
   age,
+  date,
   interval,
   depth,
   pressure,
@@ -53,6 +54,14 @@ enum class Target : std::uint8_t {
   pitch,
   roll,
   rate_of_turn,
+  quaternion_w,
+  quaternion_x,
+  quaternion_y,
+  quaternion_z,
+  enu_quaternion_w,
+  enu_quaternion_x,
+  enu_quaternion_y,
+  enu_quaternion_z,
   sound_speed,
   figure_of_merit,
   covariance_xx,
@@ -121,6 +130,7 @@ inline constexpr auto target_rows = [] {
       {valid_at, "valid_at_s", k::all, d::time},
       {sent_at, "sent_at_s", k::all, d::time},
       {age, "age_s", k::all, d::time},
+      {date, "date_s", k::all, d::date},
       {interval, "interval_s", k::all, d::time},
       {depth, "depth_m", k::depth, d::length},
       {pressure, "pressure_pa", k::depth, d::pressure},
@@ -143,6 +153,14 @@ inline constexpr auto target_rows = [] {
       {pitch, "pitch_deg", k::dvl | k::attitude, d::angle, degree},
       {roll, "roll_deg", k::dvl | k::attitude, d::angle, degree},
       {rate_of_turn, "rate_of_turn_degps", k::attitude, d::turn_rate, degree},
+      {quaternion_w, "quaternion_w", k::attitude, d::none},
+      {quaternion_x, "quaternion_x", k::attitude, d::none},
+      {quaternion_y, "quaternion_y", k::attitude, d::none},
+      {quaternion_z, "quaternion_z", k::attitude, d::none},
+      {enu_quaternion_w, "enu_quaternion_w", k::attitude, d::none},
+      {enu_quaternion_x, "enu_quaternion_x", k::attitude, d::none},
+      {enu_quaternion_y, "enu_quaternion_y", k::attitude, d::none},
+      {enu_quaternion_z, "enu_quaternion_z", k::attitude, d::none},
       {sound_speed, "sound_speed_mps", k::dvl, d::speed},
       {figure_of_merit, "figure_of_merit_mps", k::dvl, d::speed},
       {covariance_xx, "covariance_xx_m2ps2", k::dvl, d::variance},
@@ -183,11 +201,12 @@ inline constexpr auto target_rows = [] {
       {propeller, "propeller_radps", k::actuator, d::turn_rate},
   });
 }();
-static_assert(target_rows.size() <= 64);
 
-constexpr const TargetRow& row_of(Target target) {
-  return target_rows[static_cast<std::size_t>(target)];
-}
+constexpr std::size_t index_of(Target target) { return static_cast<std::size_t>(target); }
+
+using TargetSet = std::bitset<target_rows.size()>;
+
+constexpr const TargetRow& row_of(Target target) { return target_rows[index_of(target)]; }
 
 /// True for an angle that is the same after a whole turn.
 constexpr bool is_circular(Target target) {
@@ -195,33 +214,33 @@ constexpr bool is_circular(Target target) {
   return target == heading || target == magnetic_heading || target == course || target == longitude;
 }
 
-/// The first five targets are times: they measure nothing.
+/// The first six targets are times: they measure nothing.
 constexpr bool is_time(Target target) { return target <= Target::interval; }
 
 /// Values of targets in SI units and radians.
 class Readings {
  public:
-  void clear() { present_ = 0; }
-  bool has(Target target) const { return (present_ >> index(target) & 1) != 0; }
+  void clear() { present_.reset(); }
+  bool has(Target target) const { return present_[index_of(target)]; }
   void set(Target target, double si) {
-    values_[index(target)] = si;
-    present_ |= std::uint64_t{1} << index(target);
+    values_[index_of(target)] = si;
+    present_[index_of(target)] = true;
   }
   void set(Target target, const std::optional<double>& si) {
     if (si) set(target, *si);
   }
   std::optional<double> get(Target target) const {
-    return has(target) ? std::optional(values_[index(target)]) : std::nullopt;
+    return has(target) ? std::optional(values_[index_of(target)]) : std::nullopt;
   }
   /// Removes all that was measured; the times stay.
-  void keep_times() { present_ &= (std::uint64_t{2} << index(Target::interval)) - 1; }
-  bool measured() const { return present_ >> (index(Target::interval) + 1) != 0; }
+  void keep_times() { present_ &= times; }
+  bool measured() const { return (present_ & ~times).any(); }
 
  private:
-  static constexpr unsigned index(Target target) { return static_cast<unsigned>(target); }
+  static constexpr TargetSet times{(1u << (index_of(Target::interval) + 1)) - 1};
 
-  std::array<double, 64> values_{};
-  std::uint64_t present_ = 0;
+  std::array<double, target_rows.size()> values_{};
+  TargetSet present_;
 };
 
 }  // namespace drydock::wire::described

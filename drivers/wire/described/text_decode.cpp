@@ -63,25 +63,23 @@ std::optional<double> number_in(std::string_view text) {
 }
 
 /// A number whose fraction is behind a comma. One with a point is none.
-std::optional<double> number_with_comma(std::string_view text) {
+template <class Read>
+std::optional<double> with_comma(std::string_view text, Read&& read) {
   std::array<char, 32> copy{};
   if (text.size() > copy.size() || text.find('.') != text.npos) return {};
   std::ranges::replace_copy(text, copy.begin(), ',', '.');
-  return number_in({copy.data(), text.size()});
+  return read(std::string_view(copy.data(), text.size()));
 }
 
-/// Of degrees and minutes; 60 minutes and more are none.
-std::optional<double> degrees_of(double number) {
-  const double degrees = std::trunc(number / 100), minutes = number - 100 * degrees;
-  if (std::abs(minutes) >= 60) return {};
-  return degrees + minutes / 60;
+std::optional<double> value_of(const Field& field, std::string_view text) {
+  return field.notation.is_plain() ? number_in(text) : value_in(field.notation, text);
 }
 
 std::optional<double> number_of(const Plan& plan, const Field& field, std::string_view text) {
   if (field.type == Type::hex || field.type == Type::hex_signed)
     return parse_hex_number(text, field.type == Type::hex_signed);
-  const auto number = plan.decimal_comma ? number_with_comma(text) : number_in(text);
-  return number && field.degrees_minutes ? degrees_of(*number) : number;
+  if (!plan.decimal_comma || field.notation.is_date()) return value_of(field, text);
+  return with_comma(text, [&](std::string_view copy) { return value_of(field, copy); });
 }
 
 /// False: the text cannot be this field.

@@ -16,9 +16,11 @@ std::string_view digits_of(const Field& field, double magnitude, bool comma,
   char* const end = buffer.data() + buffer.size();
   const bool hex = field.type == Type::hex;
   const char* const stop =
-      hex ? std::to_chars(buffer.data(), end, static_cast<std::uint64_t>(magnitude), 16).ptr
-          : std::to_chars(buffer.data(), end, magnitude, std::chars_format::fixed, field.decimals)
-                .ptr;
+      !field.notation.is_plain()
+          ? buffer.data() + write_in(field.notation, magnitude, field.decimals, buffer.data(), end)
+      : hex ? std::to_chars(buffer.data(), end, static_cast<std::uint64_t>(magnitude), 16).ptr
+            : std::to_chars(buffer.data(), end, magnitude, std::chars_format::fixed, field.decimals)
+                  .ptr;
   for (char& c : buffer.first(static_cast<std::size_t>(stop - buffer.data()))) {
     if (c >= 'a' && c <= 'f') c = static_cast<char>(c - 'a' + 'A');
     if (c == '.' && comma) c = ',';
@@ -50,14 +52,6 @@ void write_number(const Plan& plan, const Field& field, double number, FieldWrit
   line.text(digits);
 }
 
-/// 54.5083 degrees are 5430.5, with so many decimals of a minute: 60 minutes are never written.
-double with_minutes(double degrees, unsigned decimals) {
-  const double unit = std::pow(10, decimals);
-  const double total = std::round(std::abs(degrees) * 60 * unit),
-               whole = std::floor(total / (60 * unit));
-  return std::copysign(100 * whole + (total - whole * 60 * unit) / unit, degrees);
-}
-
 /// False: the field has no value, and a line has no way to say so.
 bool write_field(const Plan& plan, std::span<const Field> fields, const Field& field,
                  const Readings& readings, FieldWriter& line) {
@@ -78,7 +72,6 @@ bool write_field(const Plan& plan, std::span<const Field> fields, const Field& f
   }
   auto number = wire_number(fields, field, readings);
   if (number && field.signed_apart) number = std::abs(*number);
-  if (number && field.degrees_minutes) number = with_minutes(*number, field.decimals);
   if (number) write_number(plan, field, *number, line);
   return number || plan.form == Form::sentences || field.optional;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "drivers/measurement/earlier.hpp"
@@ -110,7 +111,13 @@ class DescribedDevice : public Base {
     readings_.set(valid_at, seconds(at));
     readings_.set(sent_at, seconds(at + this->latency()));
     readings_.set(age, measurement::seconds(this->latency()));
+    set_date(readings_, readings_.get(utc).value_or(seconds(at)));
     readings_.set(interval, 1 / this->rate_hz());
+  }
+
+  static void set_date(wire::described::Readings& readings, double since_1970_s) {
+    constexpr double day_s = 86400;
+    readings.set(wire::described::Target::date, day_s * std::floor(since_1970_s / day_s));
   }
 
   void answer(const Request& request, Wire& out) {

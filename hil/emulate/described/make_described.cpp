@@ -1,6 +1,7 @@
 #include "hil/emulate/described/make_described.hpp"
 
 #include "drivers/measurement/water_column.hpp"
+#include "estimators/frame/attitude.hpp"
 #include "hil/emulate/attitude_readings.hpp"
 #include "hil/emulate/described/described_device.hpp"
 #include "hil/emulate/dvl/dvl_device.hpp"
@@ -21,6 +22,11 @@ constexpr sensor::JanusHead usual_head{.longest_range_m = 100};
 void set(Readings& readings, Target first, const Eigen::Vector3d& vector) {
   for (int i = 0; i < 3; ++i)
     readings.set(static_cast<Target>(static_cast<int>(first) + i), vector[i]);
+}
+
+void set_quaternion(Readings& readings, Target scalar, const Eigen::Quaterniond& turned) {
+  readings.set(scalar, turned.w());
+  set(readings, static_cast<Target>(static_cast<int>(scalar) + 1), turned.vec());
 }
 
 class DescribedDepth final : public DescribedDevice<SamplingDevice> {
@@ -176,6 +182,19 @@ class DescribedCompass final : public DescribedDevice<SamplingDevice> {
     readings.set(roll, sample.roll_rad);
     readings.set(pitch, sample.pitch_rad);
     readings.set(rate_of_turn, sample.rate_of_turn_radps);
+    set_quaternions(readings);
+  }
+
+  /// Of the angles that the sensor says, its errors included.
+  static void set_quaternions(Readings& readings) {
+    const Eigen::Quaterniond ned =
+        frame::body_to_ned({*readings.get(roll), *readings.get(pitch), *readings.get(heading)});
+    const Eigen::Matrix3d swap_and_flip{{0, 1, 0}, {1, 0, 0}, {0, 0, -1}};
+    const Eigen::Matrix3d starboard_to_port = Eigen::Vector3d(1, -1, -1).asDiagonal();
+    set_quaternion(readings, quaternion_w, ned);
+    set_quaternion(readings, enu_quaternion_w,
+                   Eigen::Quaterniond(Eigen::Matrix3d(swap_and_flip * ned.toRotationMatrix() *
+                                                      starboard_to_port)));
   }
 
   AttitudeReadings readings_;

@@ -95,10 +95,20 @@ struct WaterLinkedWrz {
   static Buffer false_sync() { return as_bytes("wrz,0.1,"); }
   static bool sound(Bytes frame) { return smbus_is_right(frame); }
 };
+struct Mip {
+  static constexpr const char *file = "mip-imu.toml", *golden = "mip.bin";
+  static constexpr std::size_t frames = 2, messages = 2, inside = 4;
+  static Buffer false_sync() { return {0x75, 0x65, 0x80, 0x2A}; }
+  static bool sound(Bytes frame) {
+    unsigned a = 0, b = 0;
+    for (const unsigned byte : frame.first(frame.size() - 2)) b += a += byte;
+    return frame[frame.size() - 2] == a % 256 && frame.back() == b % 256;
+  }
+};
 
 template <class Of>
 class DescribedProtocolTest : public ::testing::Test {};
-using All = ::testing::Types<Valeport, Sounder, Keller, Digiquartz, Cerulean, WaterLinkedWrz>;
+using All = ::testing::Types<Valeport, Sounder, Keller, Digiquartz, Cerulean, WaterLinkedWrz, Mip>;
 TYPED_TEST_SUITE(DescribedProtocolTest, All);
 
 template <class Of>

@@ -50,8 +50,12 @@ class Bench final : public device::Output {
  public:
   explicit Bench(const std::string& file, double rate_hz = 4,
                  const motion::Truth& truth = emulate::under_way())
-      : description_(shipped(file)), trajectory_(truth) {
-    config_ = emulate::device(description_->kind.value(), file, rate_hz);
+      : Bench(shipped(file), rate_hz, truth) {}
+
+  explicit Bench(DescriptionPtr description, double rate_hz = 4,
+                 const motion::Truth& truth = emulate::under_way())
+      : description_(std::move(description)), trajectory_(truth) {
+    config_ = emulate::device(description_->kind.value(), description_->name, rate_hz);
     config_.description = description_;
     auto options = options_of(description_);
     options.poll_period = measurement::from_seconds(1 / rate_hz);

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-namespace drydock::capture {
+namespace drydock::wire {
 
 /// Times of day without a date, counted on over midnight from the day of the first one.
 class DayClock {
@@ -18,4 +18,4 @@ class DayClock {
   std::chrono::nanoseconds days_{}, last_{};
 };
 
-}  // namespace drydock::capture
+}  // namespace drydock::wire
