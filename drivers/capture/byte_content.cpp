@@ -1,5 +1,7 @@
 #include "drivers/capture/byte_content.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -42,8 +44,16 @@ wire::Bytes ByteContent::of(wire::Bytes block) {
 std::string ByteContent::note() const {
   if (is_hex()) return "hexadecimal text, read as the bytes that it means";
   if (stamps_.lines() == 0) return {};
-  return "a logger's stamps around " + std::to_string(stamps_.lines()) +
-         " sentences were left out (format=raw keeps them)";
+  const std::string_view are = stamps_.timed_lines() == 0 ? "were left out"
+                               : stamps_.whole_seconds()  ? "are their times, in whole seconds"
+                                                          : "are their times";
+  return fmt::format("a logger's stamps around {} sentences {} (format=raw keeps them)",
+                     stamps_.lines(), are);
+}
+
+std::span<const SentenceStamps::Timed> ByteContent::times() const {
+  if (raw_ || is_hex()) return {};
+  return stamps_.times();
 }
 
 /// A half byte at the end of a line is none: the next line begins with a whole one.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ class ByteContent {
 
   /// Valid until the next call.
   wire::Bytes of(wire::Bytes block);
+  /// The lines of the last block that have a time; `through` counts in what of() returned.
+  std::span<const SentenceStamps::Timed> times() const;
+  const SentenceStamps& stamps() const { return stamps_; }
   /// What a person must know of how the capture is read; empty: byte for byte.
   std::string note() const;
 

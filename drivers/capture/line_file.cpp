@@ -56,9 +56,26 @@ std::optional<LineFile::Read> LineFile::next() {
   const bool at_start = !begun_;
   if (at_start) begin();
   if (packets_) return next_packet();
-  for (Bytes block = at_start ? first_ : blocks_.read(); !block.empty(); block = blocks_.read())
-    if (const Bytes bytes = content_.of(block); !bytes.empty()) return Read{std::nullopt, bytes};
-  return {};
+  for (bool at_first = at_start;; at_first = false) {
+    if (const auto part = next_part()) return part;
+    const Bytes block = at_first ? first_ : blocks_.read();
+    if (block.empty()) return {};
+    block_ = content_.of(block);
+    part_ = part_from_ = 0;
+  }
+}
+
+/// Each line that has a time; then what is behind the last one, or a block without times as a
+/// whole.
+std::optional<LineFile::Read> LineFile::next_part() {
+  if (part_from_ == block_.size()) return {};
+  const auto times = content_.times();
+  const bool timed = part_ < times.size();
+  if (timed) last_time_ = times[part_].time;
+  const std::size_t through = timed ? times[part_++].through : block_.size();
+  const Bytes bytes = block_.first(through).subspan(part_from_);
+  part_from_ = through;
+  return Read{last_time_, bytes};
 }
 
 /// Of several lines the one that was asked for; without a choice none, which trouble() tells.
@@ -109,6 +126,12 @@ std::string LineFile::trouble() const {
       std::ranges::find(found, interface_, &PacketLines::Line::name) == found.end())
     return fmt::format("{} has no {} {}; it has {}", file_, kind, interface_, names_of(found));
   return "";
+}
+
+bool has_times(const std::string& file) {
+  if (!is_regular(file)) return false;
+  const auto first = LineFile(file, false, "*").next();
+  return first && first->time;
 }
 
 bool has_packets(const std::string& file) {

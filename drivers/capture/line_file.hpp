@@ -11,8 +11,9 @@
 namespace drydock::capture {
 
 /// The bytes that a line brought, from a file of those bytes alone, or from a pcap or pcapng file
-/// with packets of serial lines (RTAC) or of a network (UDP, TCP), which also has their times.
-/// Comments at the head are left out, hexadecimal text is read as its bytes.
+/// with packets of serial lines (RTAC) or of a network (UDP, TCP), which also has their times, or
+/// from a log of sentences with the logger's times or TAG blocks. Comments at the head are left
+/// out, hexadecimal text is read as its bytes.
 class LineFile {
  public:
   struct Read {
@@ -43,12 +44,17 @@ class LineFile {
     return packets_ ? packets_->damage(line) : std::string();
   }
   /// As SteadyTimes::in_words(), of what was read so far, whatever its line.
-  std::string clock_note() const { return packets_ ? packets_->times().in_words() : std::string(); }
+  std::string clock_note() const {
+    return packets_ ? packets_->times().in_words() : content_.stamps().clock().in_words();
+  }
+  /// True if the times are a logger's, of those read so far, and none has a fraction of a second.
+  bool has_whole_seconds() const { return !packets_ && content_.stamps().whole_seconds(); }
 
  private:
   bool begin();
   void choose();
   std::optional<Read> next_packet();
+  std::optional<Read> next_part();
   std::optional<PacketLines::Piece> next_piece();
 
   std::string file_, interface_;
@@ -59,10 +65,16 @@ class LineFile {
   std::vector<std::uint8_t> buffer_;  ///< of a file of packets: blocks that are not read yet
   std::size_t at_ = 0;
   Bytes first_;
+  Bytes block_;                           ///< of a file of bytes: the content of a block
+  std::size_t part_ = 0, part_from_ = 0;  ///< its next part with a time
+  std::optional<std::chrono::nanoseconds> last_time_;
 };
 
 /// True for a pcapng file, whatever is in it, and for a pcap file of a network. A look takes bytes
 /// out of a pipe, so a pipe is none.
 bool has_packets(const std::string& file);
+
+/// True for a regular file whose first read has a time.
+bool has_times(const std::string& file);
 
 }  // namespace drydock::capture

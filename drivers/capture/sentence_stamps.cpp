@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "drivers/capture/logger_time.hpp"
 #include "drivers/wire/text_fields.hpp"
 
 namespace drydock::capture {
@@ -30,7 +31,7 @@ bool is_sentence(std::string_view text) {
   return high && low && sum == *high * 16 + *low;
 }
 
-enum class Line : std::uint8_t { other, bare, stamped };
+enum class Line : std::uint8_t { other, bare, stamped, tagged };
 
 Line kind_of(Bytes line) {
   if (!std::ranges::all_of(line, is_text)) return Line::other;
@@ -38,14 +39,15 @@ Line kind_of(Bytes line) {
   const auto at = static_cast<std::size_t>(start - line.begin());
   const bool sound = start != line.end() && is_sentence(wire::as_text(line.subspan(at)));
   if (!sound) return Line::other;
-  return at == 0 || line[0] == '\\' ? Line::bare : Line::stamped;
+  if (at == 0) return Line::bare;
+  return line[0] == '\\' ? Line::tagged : Line::stamped;
 }
 
 }  // namespace
 
-std::optional<bool> has_sentence_stamps(Bytes text) {
+std::optional<SentenceFront> front_of_sentences(Bytes text) {
   constexpr std::size_t fewest = 3;
-  std::size_t lines = 0, stamped = 0;
+  std::size_t lines = 0, stamped = 0, tagged = 0;
   while (true) {
     const auto end = std::ranges::find_if(text, ends_line);
     if (end == text.end()) break;  // the last line is not whole
@@ -53,34 +55,56 @@ std::optional<bool> has_sentence_stamps(Bytes text) {
     if (size > 0) {
       ++lines;
       stamped += kind_of(text.first(size)) == Line::stamped;
+      tagged += kind_of(text.first(size)) == Line::tagged;
     }
     text = text.subspan(size + 1);
   }
   if (lines < fewest) return {};
-  return 10 * stamped >= 9 * lines;
+  if (10 * stamped >= 9 * lines) return SentenceFront::stamp;
+  // Of a group of sentences only the first one has a TAG block.
+  return 4 * tagged >= lines ? SentenceFront::tag_block : SentenceFront::nothing;
 }
 
 Bytes SentenceStamps::without(Bytes block) {
-  if (!stamped_) stamped_ = has_sentence_stamps(block);
-  if (!stamped_.value_or(false)) return block;
+  times_.clear();
+  if (!front_) front_ = front_of_sentences(block);
+  if (front_.value_or(SentenceFront::nothing) == SentenceFront::nothing) return block;
   bytes_.clear();
   for (const std::uint8_t byte : block) take(byte);
   return bytes_;
 }
 
+/// Of the text in front of the sentence that begins now.
+void SentenceStamps::read_time() {
+  const auto text = wire::as_text(before_);
+  const auto found = front_ == SentenceFront::stamp ? logger_time(text) : tag_block_time(text);
+  if (!found) return;
+  ++timed_;
+  whole_seconds_ = whole_seconds_ && found->whole_second;
+  last_ = steady_.of("", found->of_day ? days_.since_first_midnight(found->time) : found->time);
+}
+
 /// A line without a sentence stays as it is.
+void SentenceStamps::end_line() {
+  bytes_.insert(bytes_.end(), before_.begin(), before_.end());
+  before_.clear();
+  in_sentence_ = false;
+  behind_star_ = 0;
+}
+
 void SentenceStamps::take(std::uint8_t byte) {
   constexpr std::size_t longest_stamp = 256;
   if (ends_line(byte)) {
-    bytes_.insert(bytes_.end(), before_.begin(), before_.end());
+    end_line();
     bytes_.push_back(byte);
-    before_.clear();
-    in_sentence_ = false;
-    behind_star_ = 0;
+    if (byte == '\n' && last_) times_.push_back({bytes_.size(), *last_});
     return;
   }
   if (!in_sentence_ && begins_sentence(byte)) {
-    lines_ += !before_.empty();
+    read_time();
+    if (front_ == SentenceFront::tag_block)
+      bytes_.insert(bytes_.end(), before_.begin(), before_.end());
+    lines_ += front_ == SentenceFront::stamp && !before_.empty();
     before_.clear();
     in_sentence_ = true;
   }
@@ -93,7 +117,8 @@ void SentenceStamps::take(std::uint8_t byte) {
   }
   constexpr unsigned checksum = 3;  // *hh
   if (behind_star_ > 0 || byte == '*') ++behind_star_;
-  if (behind_star_ <= checksum) bytes_.push_back(byte);  // behind it stands a mark
+  const bool is_mark = front_ == SentenceFront::stamp && behind_star_ > checksum;
+  if (!is_mark) bytes_.push_back(byte);
 }
 
 }  // namespace drydock::capture

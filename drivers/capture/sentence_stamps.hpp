@@ -1,34 +1,60 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "drivers/capture/steady_times.hpp"
 #include "drivers/wire/codec.hpp"
+#include "drivers/wire/day_clock.hpp"
 
 namespace drydock::capture {
 
+/// What stands in front of the sentences of a text.
+enum class SentenceFront : std::uint8_t { nothing, stamp, tag_block };
+
+/// What nearly all whole lines of the text have in front of a sentence of NMEA 0183 with a right
+/// checksum. Empty: too few lines to tell.
+std::optional<SentenceFront> front_of_sentences(wire::Bytes text);
+
 /// Removes what a logger wrote in front of the sentences of NMEA 0183 and behind them: its time,
 /// the port, quotation marks, as in `2023-12-31T23:59:30.120Z $GPHDT,75.5664,T*36`. Only where
-/// nearly every line of the file's begin is such a one. Feed the blocks of the capture in order.
+/// nearly every line of the file's begin is such a one. A TAG block stays. The times of both are
+/// read. Feed the blocks of the capture in order.
 class SentenceStamps {
  public:
+  /// The end of a line in what without() returned, and its time.
+  struct Timed {
+    std::size_t through = 0;
+    std::chrono::nanoseconds time{};  ///< since 1970, or since the midnight before the first line
+  };
+
   /// The part of the block that a sensor said. Valid until the next call.
   wire::Bytes without(wire::Bytes block);
-  std::uint64_t lines() const { return lines_; }  ///< that had a stamp
+  /// The lines of the last block that have a time, or had one in front of them.
+  const std::vector<Timed>& times() const { return times_; }
+  std::uint64_t lines() const { return lines_; }         ///< that had a stamp
+  std::uint64_t timed_lines() const { return timed_; }   ///< whose stamp or TAG block had a time
+  bool whole_seconds() const { return whole_seconds_; }  ///< no time had a fraction
+  const SteadyTimes& clock() const { return steady_; }
 
  private:
   void take(std::uint8_t byte);
+  void end_line();
+  void read_time();
 
-  std::optional<bool> stamped_;  ///< the first block with some lines decides it
+  std::optional<SentenceFront> front_;  ///< the first block with some lines decides it
   std::vector<std::uint8_t> bytes_, before_;
+  std::vector<Timed> times_;
+  std::optional<std::chrono::nanoseconds> last_;  ///< time of the present line, or one before
+  wire::DayClock days_;
+  SteadyTimes steady_;
+  bool whole_seconds_ = true;
+  std::uint64_t timed_ = 0;
   bool in_sentence_ = false;  ///< the present line
   unsigned behind_star_ = 0;
   std::uint64_t lines_ = 0;
 };
-
-/// True if nearly all whole lines of the text have a sentence of NMEA 0183 with a right checksum,
-/// and something in front of it that is no TAG block. Empty: too few lines to tell.
-std::optional<bool> has_sentence_stamps(wire::Bytes text);
 
 }  // namespace drydock::capture

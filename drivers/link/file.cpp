@@ -105,7 +105,7 @@ Task<ReceivedBytes> FileLink::read(std::span<std::uint8_t> into) {
   co_return ReceivedBytes{size, now()};
 }
 
-/// When the reads of a line in a file of packets came, from the first time in the file on: its
+/// When the reads of a line in a file with times came, from the first time in the file on: its
 /// lines keep their distances.
 boost::system::result<measurement::MessageTimes, OpenError> times_of_reads(const Uri& uri) {
   capture::LineFile all(uri.target, false, "*");
@@ -147,7 +147,7 @@ std::optional<OpenError> refuse_file(const Uri& uri, Side side, Carries what) {
 OpenedBytes open_file(const asio::any_io_executor& executor, const Uri& uri, Side side,
                       measurement::MessageTimes messages) {
   if (auto refused = refuse_file(uri, side, Carries::bytes)) return std::move(*refused);
-  if (uri.text_of("format") != "raw" && capture::has_packets(uri.target)) {
+  if (uri.text_of("format") != "raw" && capture::has_times(uri.target)) {
     auto reads = times_of_reads(uri);
     if (!reads) return std::move(reads).error();
     if (messages.empty() && uri.speed() != 0) messages = std::move(*reads);

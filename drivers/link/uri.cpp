@@ -141,7 +141,7 @@ std::string recording_misfit(const Uri& file, Carries what) {
   if (what == Carries::bytes && !format.empty() && format != "raw")
     problem = "format=" + std::string(format) + " is for CAN frames; for bytes there is raw";
   if (what == Carries::bytes && file.speed().value_or(0) > 0 && !file.baud() &&
-      file.text_of("clock") != "device" && !capture::has_packets(file.target))
+      file.text_of("clock") != "device" && !capture::has_times(file.target))
     problem = "speed=" + std::string(file.text_of("speed")) +
               " needs the baud rate of the recorded line or clock=device, for example " +
               std::string(form_of(Scheme::file).example);

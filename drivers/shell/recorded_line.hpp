@@ -12,7 +12,7 @@ namespace drydock::shell {
 
 /// A recording of bytes (`file:` link) in the lockstep shell. In virtual time each message reaches
 /// the driver when the device's clock says, counted from `start`; without such a clock bytes come
-/// at the line's rate, and those of a pcapng file at their own times. At the end of the file the
+/// at the line's rate, and those of a file with times (pcap, a logger's) at these. At the end of the file the
 /// line falls silent.
 class RecordedLine final : public Actor {
  public:

@@ -53,17 +53,31 @@ std::optional<std::chrono::nanoseconds> first_read(const link::Uri& uri, std::st
 }
 
 /// Empty: a file of bytes alone.
-std::optional<std::chrono::nanoseconds> first_packet_time(const link::Uri& uri) {
-  if (uri.text_of("format") == "raw" || !capture::has_packets(uri.target)) return {};
+std::optional<std::chrono::nanoseconds> first_time(const link::Uri& uri) {
+  if (uri.text_of("format") == "raw" || !capture::has_times(uri.target)) return {};
   return first_read(uri, std::string(uri.text_of("interface")));
+}
+
+/// A logger that writes whole seconds tells less than a device that tells its own time.
+bool has_whole_seconds(const link::Uri& uri) {
+  capture::LineFile line(uri.target, false, std::string(uri.text_of("interface")));
+  constexpr int enough = 1000;
+  for (int lines = 0; lines < enough && line.next(); ++lines) continue;
+  return line.has_whole_seconds();
 }
 
 /// The lines and buses of one file keep their distances, so they count from the first time in it.
 Stamp begin_of_file(const link::Uri& uri, std::chrono::nanoseconds own_first) {
-  const auto read = capture::has_packets(uri.target) ? first_read(uri, "*") : std::nullopt;
+  const auto read = capture::has_times(uri.target) ? first_read(uri, "*") : std::nullopt;
   const auto record = capture::CaptureFile(uri.target, uri.text_of("format"), "").next();
   return Stamp{std::min({own_first, read.value_or(own_first),
                          record ? record->time.value_or(own_first) : own_first})};
+}
+
+RecordingClock by_device(RecordingClock clock) {
+  clock.pace = Pace::device;
+  clock.first = Stamp{clock.times.messages.front().at};
+  return clock;
 }
 
 }  // namespace
@@ -102,7 +116,10 @@ RecordingClock clock_of(const link::Uri& uri, const DriverOptions& driver, Trave
     }
   }
   if (travels == Travels::as_bytes && wanted != "device") {
-    if (const auto first = first_packet_time(uri)) {
+    if (const auto first = first_time(uri)) {
+      if (wanted != "line" && has_whole_seconds(uri))
+        clock.times = device_times(uri, driver, travels);
+      if (!clock.times.messages.empty()) return by_device(std::move(clock));
       clock.pace = Pace::arrival;
       clock.first = begin_of_file(uri, *first);
       return clock;
@@ -110,10 +127,7 @@ RecordingClock clock_of(const link::Uri& uri, const DriverOptions& driver, Trave
   }
   if (wanted == "line") return clock;
   clock.times = device_times(uri, driver, travels);
-  if (clock.times.messages.empty()) return clock;
-  clock.pace = Pace::device;
-  clock.first = Stamp{clock.times.messages.front().at};
-  return clock;
+  return clock.times.messages.empty() ? clock : by_device(std::move(clock));
 }
 
 }  // namespace drydock::shell

@@ -59,12 +59,47 @@ TEST(SentenceStamps, StayWhereALineHasNoSentence) {
   EXPECT_NE(without(text + "12:00:01 link lost\r\n").find("12:00:01 link lost"), std::string::npos);
 }
 
+/// Milliseconds from the first line to each that has a time.
+std::vector<long> times_in(const std::string& text) {
+  SentenceStamps stamps;
+  stamps.without(as_bytes(text));
+  std::vector<long> times;
+  for (const auto& line : stamps.times())
+    times.push_back(
+        static_cast<long>((line.time - stamps.times().front().time).count() / 1'000'000));
+  return times;
+}
+
+std::string lines(std::initializer_list<const char*> fronts) {
+  std::string text;
+  for (const std::string front : fronts) text += front + std::string(hdt) + "\r\n";
+  return text;
+}
+
+TEST(SentenceStamps, AreTheTimesOfTheirLines) {
+  EXPECT_EQ(times_in(lines({"23:59:59.900 ", "23:59:59.950 ", "00:00:00.100 "})),
+            (std::vector<long>{0, 50, 200}))
+      << "over midnight";
+  EXPECT_EQ(times_in(lines({"COM3 1704067170.100 ", "COM3 1704067171.350 ", "COM3 ", "COM3 "})),
+            (std::vector<long>{0, 1250, 1250, 1250}))
+      << "a line without a time has that of the one before";
+}
+
+/// NMEA 0183 4.00: the first sentence of a group alone has the time.
+TEST(SentenceStamps, OfTagBlocksAreTimesAndStayInTheirSentences) {
+  const std::string text = lines(
+      {"\\g:1-2-73,s:r1,c:1704067170100*4C\\", "\\g:2-2-73*11\\", "\\s:r1,c:1704067171*4C\\", ""});
+  EXPECT_EQ(without(text), text);
+  EXPECT_EQ(times_in(text), (std::vector<long>{0, 0, 900, 900}));
+}
+
 TEST(SentenceStamps, OfACaptureAreTold) {
   const std::string text = four_lines("12:00:00 ", "");
   ByteContent content(false), raw(true);
   content.of(as_bytes(text));
   EXPECT_EQ(content.note(),
-            "a logger's stamps around 4 sentences were left out (format=raw keeps them)");
+            "a logger's stamps around 4 sentences are their times, in whole seconds (format=raw "
+            "keeps them)");
   EXPECT_EQ(as_text(raw.of(as_bytes(text))), text);
   EXPECT_EQ(raw.note(), "");
 }
