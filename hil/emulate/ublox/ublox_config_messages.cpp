@@ -71,8 +71,9 @@ constexpr bool bit(std::uint64_t word, unsigned number) { return (word >> number
 
 }  // namespace
 
+/// Settings of several ports may stand in one message: all of them are taken, or none.
 Verdict UbloxDialogue::on_prt(wire::Bytes payload) {
-  if (payload.size() == prt_size) return set_prt(payload);
+  if (!payload.empty() && payload.size() % prt_size == 0) return set_ports(payload);
   if (payload.size() > 1) return Verdict::nak;
   const std::uint8_t port = payload.empty() ? std::uint8_t{uart1} : payload[0];
   if (port >= ports_of_a_message) return Verdict::nak;
@@ -92,14 +93,25 @@ void UbloxDialogue::answer_prt(std::uint8_t port) {
   reply(ubx::cfg_prt, answer);
 }
 
-/// Only UART1 leads anywhere. A setting of another port is taken and has no effect.
-Verdict UbloxDialogue::set_prt(wire::Bytes payload) {
-  if (payload[0] >= ports_of_a_message) return Verdict::nak;
-  if (payload[0] != uart1) return Verdict::ack;
+Verdict UbloxDialogue::set_ports(wire::Bytes payload) {
+  for (wire::Bytes rest = payload; !rest.empty(); rest = rest.subspan(prt_size))
+    if (!allows_port(rest.first(prt_size))) return Verdict::nak;
+  for (wire::Bytes rest = payload; !rest.empty(); rest = rest.subspan(prt_size))
+    set_port(rest.first(prt_size));
+  return Verdict::ack;
+}
+
+bool UbloxDialogue::allows_port(wire::Bytes payload) const {
+  if (payload[0] != uart1) return payload[0] < ports_of_a_message;
   const auto mode = load_le<std::uint32_t>(payload, 4);
+  return (mode & mode_bits) == (mode_8n1 & mode_bits) &&
+         settings_.allows(baud, load_le<std::uint32_t>(payload, 8));
+}
+
+/// Only UART1 leads anywhere. A setting of another port is taken and has no effect.
+void UbloxDialogue::set_port(wire::Bytes payload) {
+  if (payload[0] != uart1) return;
   const auto rate = load_le<std::uint32_t>(payload, 8);
-  if ((mode & mode_bits) != (mode_8n1 & mode_bits) || !settings_.allows(baud, rate))
-    return Verdict::nak;
   put(in_ubx, payload[12] & 1u);
   put(in_nmea, payload[12] >> 1 & 1u);
   put(out_ubx, payload[14] & 1u);
@@ -107,7 +119,6 @@ Verdict UbloxDialogue::set_prt(wire::Bytes payload) {
   put(baud, rate);
   note_ = fmt::format("{} baud, out{}{}", rate, settings_[out_ubx] ? " UBX" : "",
                       settings_[out_nmea] ? " NMEA" : "");
-  return Verdict::ack;
 }
 
 Verdict UbloxDialogue::on_msg(wire::Bytes payload) {

@@ -86,7 +86,8 @@ void UbloxDialogue::tell_of(const Packet& packet, Verdict verdict) {
   const std::string name =
       row ? std::string(row->name)
           : fmt::format("{:02X} {:02X}", packet.class_and_id >> 8, packet.class_and_id & 0xFF);
-  out_->tell(verdict == Verdict::nak ? "refused " + name : name + ": " + note_);
+  const std::string what = note_.empty() ? name : name + ": " + note_;
+  out_->tell(verdict == Verdict::nak ? "refused " + what : what);
 }
 
 bool UbloxDialogue::put(std::size_t item, std::uint64_t value) {

@@ -56,7 +56,9 @@ class UbloxDialogue {
   Verdict on_cfg(wire::Bytes payload);
   Verdict on_rst(wire::Bytes payload);
   void answer_prt(std::uint8_t port);
-  Verdict set_prt(wire::Bytes payload);
+  Verdict set_ports(wire::Bytes payload);
+  bool allows_port(wire::Bytes payload) const;
+  void set_port(wire::Bytes payload);
 
   // The configuration database of an F9, ublox_values.cpp
   Verdict on_valget(wire::Bytes payload);

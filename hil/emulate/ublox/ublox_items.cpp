@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "hil/emulate/ublox/ublox_inert_items.hpp"
+
 namespace drydock::emulate::ublox {
 namespace {
 
@@ -73,10 +75,27 @@ constexpr auto sent = std::to_array<MessageFacts>({
 
 std::span<const MessageFacts> message_facts() { return sent; }
 
-std::size_t item_count() { return first_rate + ports_of_a_message * sent.size(); }
+namespace {
+
+constexpr std::size_t first_inert = first_rate + ports_of_a_message * sent.size();
+
+ItemFacts facts_of_inert(std::size_t place) {
+  const auto items_of_values = inert_items();
+  if (place < items_of_values.size()) return items_of_values[place];
+  const std::size_t rate = place - items_of_values.size();
+  const std::uint32_t key = unsent_messages()[rate / ports_of_a_message];
+  return {key + static_cast<std::uint32_t>(rate % ports_of_a_message), messages, 0, 0, 0, 255};
+}
+
+}  // namespace
+
+std::size_t item_count() {
+  return first_inert + inert_items().size() + ports_of_a_message * unsent_messages().size();
+}
 
 ItemFacts facts_of(std::size_t item) {
   if (item < first_rate) return items[item];
+  if (item >= first_inert) return facts_of_inert(item - first_inert);
   const std::size_t rate = item - first_rate, port = rate % ports_of_a_message;
   const MessageFacts& message = sent[rate / ports_of_a_message];
   const std::uint32_t key = message.key == 0 ? 0 : message.key + static_cast<std::uint32_t>(port);

@@ -15,7 +15,8 @@ namespace drydock::emulate::ublox {
 
 using Model = rig_config::UbloxModel;
 
-/// The index of an item. Those behind `first_rate` are rates of messages, five for each message.
+/// The index of an item. Those behind `first_rate` are rates of messages, five for each message,
+/// and behind these stand the inert ones.
 enum Item : std::size_t {
   baud,
   in_ubx,

@@ -36,20 +36,22 @@ std::optional<std::uint64_t> value_in(const UbloxSettings& settings, std::uint8_
   }
 }
 
-/// Calls `take(item, key, value)` for each pair of key and value. False: the data are not a list of
-/// known keys with whole values, or `take` refuses one.
+/// Calls `take(item, value)` for each pair of key and value. Returns the words that tell what is
+/// wrong with the first pair that is none, or that `take` refuses; empty: nothing.
 template <class Take>
-bool each_value(wire::Bytes data, Take&& take) {
+std::string each_value(wire::Bytes data, Take&& take) {
   while (!data.empty()) {
-    if (data.size() < key_size) return false;
+    if (data.size() < key_size) return "half a key";
     const auto key = load_le<std::uint32_t>(data, 0);
     const std::size_t size = size_of_key(key);
     const auto item = item_of_key(key);
-    if (!item || data.size() < key_size + size) return false;
-    if (!take(*item, value_at(data.subspan(key_size), size))) return false;
+    if (!item) return fmt::format("unknown key {:08X}h", key);
+    if (data.size() < key_size + size) return fmt::format("half a value of key {:08X}h", key);
+    const std::uint64_t value = value_at(data.subspan(key_size), size);
+    if (!take(*item, value)) return fmt::format("key {:08X}h cannot be {}", key, value);
     data = data.subspan(key_size + size);
   }
-  return true;
+  return {};
 }
 
 /// Calls `save(where)` for each saved layer of a mask.
@@ -111,11 +113,12 @@ Verdict UbloxDialogue::on_valset(wire::Bytes payload) {
   if (layers == 0 || (layers & ~known_layers) != 0) return Verdict::nak;
   const wire::Bytes data = payload.subspan(head);
   std::size_t values = 0;
-  const bool allowed = each_value(data, [&](std::size_t item, std::uint64_t value) {
+  note_ = each_value(data, [&](std::size_t item, std::uint64_t value) {
     ++values;
     return settings_.allows(item, value);
   });
-  if (!allowed || values > most_in_one) return Verdict::nak;
+  if (note_.empty() && values > most_in_one) note_ = fmt::format("{} keys, at most 64", values);
+  if (!note_.empty()) return Verdict::nak;
   each_value(data, [&](std::size_t item, std::uint64_t value) {
     each_layer(layers, [&](Saved where) { settings_.save(where, item, value); });
     return !(layers & 1u) || put(item, value);

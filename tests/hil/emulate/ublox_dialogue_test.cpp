@@ -174,6 +174,86 @@ TEST(EmulatedUblox, TheSequenceOfAnAutopilotEndsWithAConfiguredReceiverAt230400)
   EXPECT_EQ(host.count(0x0135), 0u);
 }
 
+/// CFG-VALSET to RAM of keys and values, each of the size that its key says.
+Frame valset(std::initializer_list<std::pair<std::uint32_t, std::uint32_t>> items) {
+  Frame payload{0, 1, 0, 0};
+  for (const auto& [key, value] : items) {
+    for (int i = 0; i < 4; ++i) payload.push_back(static_cast<std::uint8_t>(key >> 8 * i));
+    const unsigned size = key >> 28 == 4 ? 4 : key >> 28 == 3 ? 2 : 1;
+    for (unsigned i = 0; i < size; ++i)
+      payload.push_back(static_cast<std::uint8_t>(value >> 8 * i));
+  }
+  return payload;
+}
+
+/// The settings with which PX4's driver (PX4-GPSDrivers, ubx.cpp) sets up an F9: the form of the
+/// port and its protocols, the navigation engine and the odometer, the messages, the other ports.
+TEST(EmulatedUblox, AnF9TakesTheSettingsOfPx4) {
+  UbloxHost host(UbloxModel::f9);
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_valset, valset({{0x20520002, 1},
+                                                         {0x20520003, 0},
+                                                         {0x20520004, 0},
+                                                         {0x10730001, 1},
+                                                         {0x10730002, 0},
+                                                         {0x10740001, 1},
+                                                         {0x10740002, 0}})));
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_valset, valset({{0x40520001, 115200}})));
+  EXPECT_EQ(host.bauds.back(), 115200u);
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_valset, valset({{0x10730004, 1},
+                                                         {0x10770001, 1},
+                                                         {0x10770004, 1},
+                                                         {0x10770002, 0},
+                                                         {0x10780001, 1},
+                                                         {0x10780002, 0}})));
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_valset, valset({{0x20110011, 3},
+                                                         {0x2011001C, 3},
+                                                         {0x20110021, 7},
+                                                         {0x10220001, 0},
+                                                         {0x10220002, 0},
+                                                         {0x10220003, 0},
+                                                         {0x10220004, 0},
+                                                         {0x1041000D, 1},
+                                                         {0x30210001, 100},
+                                                         {0x30210002, 1},
+                                                         {0x20210003, 0}})));
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_valset, valset({{0x20910007, 1},
+                                                         {0x20910039, 1},
+                                                         {0x2091001B, 1},
+                                                         {0x2091035A, 1},
+                                                         {0x20910269, 1},
+                                                         {0x20910034, 1},
+                                                         {0x2091008E, 1}})));
+  EXPECT_TRUE(host.acknowledges(
+      ubx::cfg_valset,
+      valset({{0x10710001, 1}, {0x10710004, 0}, {0x10720001, 1}, {0x10720004, 0}})));
+  host.listen(1);
+  EXPECT_EQ(host.count(0x0107), 11u) << "NAV-PVT each 100 ms";
+}
+
+TEST(EmulatedUblox, SaysWhichKeyItRefuses) {
+  UbloxHost host(UbloxModel::f9);
+  EXPECT_FALSE(host.acknowledges(ubx::cfg_valset, valset({{0x30210001, 100}, {0x2FFF0001, 1}})));
+  EXPECT_FALSE(host.acknowledges(ubx::cfg_valset, valset({{0x20520003, 1}})));
+  EXPECT_THAT(host.told, ElementsAre("refused CFG-VALSET: unknown key 2FFF0001h",
+                                     "refused CFG-VALSET: key 20520003h cannot be 1"));
+}
+
+/// UBX-13003221, CFG-PRT: several configurations can be concatenated to one input message.
+TEST(EmulatedUblox, TakesTheSettingsOfSeveralPortsInOneMessage) {
+  UbloxHost host(UbloxModel::m8);
+  const auto port = [](std::uint8_t number) {  // 8N1, 115200 baud, UBX and RTCM 3 in, UBX out
+    return Frame{number, 0, 0, 0, 0xD0, 8, 0, 0, 0x00, 0xC2, 1, 0, 0x21, 0, 1, 0, 0, 0, 0, 0};
+  };
+  Frame both = port(1), wrong = port(1);
+  const Frame usb = port(3), none = port(9);
+  both.insert(both.end(), usb.begin(), usb.end());
+  wrong.insert(wrong.end(), none.begin(), none.end());
+  EXPECT_FALSE(host.acknowledges(ubx::cfg_prt, wrong));
+  EXPECT_EQ(host.bauds.back(), 9600u) << "all of them or none";
+  EXPECT_TRUE(host.acknowledges(ubx::cfg_prt, both));
+  EXPECT_EQ(host.bauds.back(), 115200u);
+}
+
 /// Counts the frames that a driver's end decodes.
 struct FarEnd {
   wire::Framer<wire::UbxNmea::max_frame> framer;

@@ -1,0 +1,127 @@
+#include "hil/emulate/ublox/ublox_inert_items.hpp"
+
+#include <array>
+
+namespace drydock::emulate::ublox {
+namespace {
+
+constexpr ItemFacts flag(std::uint32_t key, Group group, std::uint64_t value) {
+  return {key, group, value, value, 0, 1};
+}
+
+// UART1 is 8N1; another form is refused, as no line here could follow.
+constexpr auto inert = std::to_array<ItemFacts>({
+    {0x20520002, ports, 1, 1, 1, 1},                  // UART1-STOPBITS: one
+    {0x20520003, ports, 0, 0, 0, 0},                  // UART1-DATABITS: eight
+    {0x20520004, ports, 0, 0, 0, 0},                  // UART1-PARITY: none
+    {0x10520005, ports, 1, 1, 1, 1},                  // UART1-ENABLED
+    flag(0x10730004, ports, 1),                       // UART1INPROT-RTCM3X
+    flag(0x10740004, ports, 1),                       // UART1OUTPROT-RTCM3X
+    {0x40530001, ports, 38400, 38400, 4800, 921600},  // UART2-BAUDRATE
+    {0x20530002, ports, 1, 1, 0, 3},
+    {0x20530003, ports, 0, 0, 0, 1},
+    {0x20530004, ports, 0, 0, 0, 2},
+    flag(0x10530005, ports, 1),
+    flag(0x10750001, ports, 0),  // UART2INPROT
+    flag(0x10750002, ports, 0),
+    flag(0x10750004, ports, 1),
+    flag(0x10760001, ports, 0),  // UART2OUTPROT
+    flag(0x10760002, ports, 0),
+    flag(0x10760004, ports, 1),
+    flag(0x10710001, ports, 1),  // I2CINPROT
+    flag(0x10710002, ports, 1),
+    flag(0x10710004, ports, 1),
+    flag(0x10720001, ports, 1),  // I2COUTPROT
+    flag(0x10720002, ports, 1),
+    flag(0x10720004, ports, 1),
+    flag(0x10770001, ports, 1),  // USBINPROT
+    flag(0x10770002, ports, 1),
+    flag(0x10770004, ports, 1),
+    flag(0x10780001, ports, 1),  // USBOUTPROT
+    flag(0x10780002, ports, 1),
+    flag(0x10780004, ports, 1),
+    flag(0x10790001, ports, 1),  // SPIINPROT
+    flag(0x10790002, ports, 1),
+    flag(0x10790004, ports, 1),
+    flag(0x107A0001, ports, 1),  // SPIOUTPROT
+    flag(0x107A0002, ports, 1),
+    flag(0x107A0004, ports, 1),
+    flag(0x10220001, navigation, 0),                // ODO-USE_ODO
+    flag(0x10220002, navigation, 0),                // ODO-USE_COG
+    flag(0x10220003, navigation, 0),                // ODO-OUTLPVEL
+    flag(0x10220004, navigation, 0),                // ODO-OUTLPCOG
+    {0x20220005, navigation, 0, 0, 0, 4},           // ODO-PROFILE
+    {0x20410001, receiver, 3, 3, 0, 255},           // ITFM-BBTHRESHOLD
+    {0x20410002, receiver, 15, 15, 0, 255},         // ITFM-CWTHRESHOLD
+    flag(0x1041000D, receiver, 0),                  // ITFM-ENABLE
+    {0x20410010, receiver, 0, 0, 0, 2},             // ITFM-ANTSETTING
+    flag(0x10410013, receiver, 0),                  // ITFM-ENABLE_AUX
+    {0x20140011, navigation, 3, 3, 2, 3},           // NAVHPG-DGNSSMODE
+    {0x40030010, navigation, 0, 0, 0, 0xFFFFFFFF},  // TMODE-SVIN_MIN_DUR
+    {0x40030011, navigation, 0, 0, 0, 0xFFFFFFFF},  // TMODE-SVIN_ACC_LIMIT
+    {0x20920001, receiver, 0, 0, 0, 255},           // INFMSG-UBX_I2C and the other ports
+    {0x20920002, receiver, 0, 0, 0, 255},
+    {0x20920003, receiver, 0, 0, 0, 255},
+    {0x20920004, receiver, 0, 0, 0, 255},
+    {0x20920005, receiver, 0, 0, 0, 255},
+    {0x20920006, receiver, 7, 7, 0, 255},  // INFMSG-NMEA_I2C and the other ports
+    {0x20920007, receiver, 7, 7, 0, 255},
+    {0x20920008, receiver, 7, 7, 0, 255},
+    {0x20920009, receiver, 7, 7, 0, 255},
+    {0x2092000A, receiver, 7, 7, 0, 255},
+});
+
+constexpr auto unsent = std::to_array<std::uint32_t>({
+    0x20910010,  // NAV-ORB
+    0x20910024,  // NAV-POSECEF
+    0x2091002E,  // NAV-HPPOSECEF
+    0x20910033,  // NAV-HPPOSLLH
+    0x2091003D,  // NAV-VELECEF
+    0x2091005B,  // NAV-TIMEUTC
+    0x20910060,  // NAV-TIMELS
+    0x20910065,  // NAV-CLOCK
+    0x2091006A,  // NAV-SBAS
+    0x2091007E,  // NAV-ODO
+    0x20910083,  // NAV-COV
+    0x20910088,  // NAV-SVIN
+    0x2091008D,  // NAV-RELPOSNED
+    0x20910345,  // NAV-SIG
+    0x209100A1,  // NAV-GEOFENCE
+    0x209100A6,  // NMEA DTM
+    0x209100B5,  // NMEA GNS
+    0x209100CE,  // NMEA GRS
+    0x209100D3,  // NMEA GST
+    0x209100DD,  // NMEA GBS
+    0x209100E7,  // NMEA VLW
+    0x2091017D,  // TIM-TP
+    0x20910187,  // MON-RXR
+    0x20910196,  // MON-MSGPP
+    0x2091019B,  // MON-TXBUF
+    0x209101A0,  // MON-RXBUF
+    0x209101A5,  // MON-IO
+    0x20910204,  // RXM-MEASX
+    0x20910231,  // RXM-SFRBX
+    0x209102A4,  // RXM-RAWX
+    0x20910268,  // RXM-RTCM
+    0x209102BD,  // RTCM 1005
+    0x209102CC,  // RTCM 1077
+    0x209102D1,  // RTCM 1087
+    0x209102D6,  // RTCM 1127
+    0x20910303,  // RTCM 1230
+    0x20910318,  // RTCM 1097
+    0x2091034F,  // MON-COMMS
+    0x20910354,  // MON-HW3
+    0x20910359,  // MON-RF
+    0x2091035E,  // RTCM 1074
+    0x20910363,  // RTCM 1084
+    0x20910368,  // RTCM 1094
+    0x2091036D,  // RTCM 1124
+    0x2091038B,  // MON-SPAN
+});
+
+}  // namespace
+
+std::span<const ItemFacts> inert_items() { return inert; }
+std::span<const std::uint32_t> unsent_messages() { return unsent; }
+
+}  // namespace drydock::emulate::ublox
