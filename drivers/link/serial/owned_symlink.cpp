@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "drivers/link/private_folder.hpp"
+#include "drivers/link/serial/name_claim.hpp"
 
 namespace drydock::link {
 namespace {
@@ -48,6 +49,8 @@ boost::system::result<OwnedSymlink, OpenError> OwnedSymlink::place(const std::st
     return OpenError{system_error(EEXIST),
                      path + " exists and is no symbolic link: it will not be replaced"};
 
+  auto claim = claim_name(path);
+  if (!claim) return std::move(claim).error();
   const std::string fresh = path + "." + std::to_string(::getpid()) + ".new";
   if (::symlink(target.c_str(), fresh.c_str()) != 0)
     return open_error(errno, "cannot make the symbolic link " + path);
@@ -56,17 +59,20 @@ boost::system::result<OwnedSymlink, OpenError> OwnedSymlink::place(const std::st
     ::unlink(fresh.c_str());
     return open_error(error, "cannot make the symbolic link " + path);
   }
-  return OwnedSymlink(path, target);
+  return OwnedSymlink(path, target, std::move(*claim));
 }
 
 OwnedSymlink::OwnedSymlink(OwnedSymlink&& other) noexcept
-    : path_(std::exchange(other.path_, {})), target_(std::move(other.target_)) {}
+    : path_(std::exchange(other.path_, {})),
+      target_(std::move(other.target_)),
+      claim_(std::move(other.claim_)) {}
 
 void OwnedSymlink::remove() {
   if (path_.empty()) return;
   std::error_code no_link;
   if (fs::read_symlink(path_, no_link) == target_) ::unlink(path_.c_str());
   path_.clear();
+  claim_ = Descriptor();
 }
 
 }  // namespace drydock::link

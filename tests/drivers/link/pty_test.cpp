@@ -106,6 +106,21 @@ TEST_F(Pty, ReplacesTheNameThatACrashLeftBehind) {
   EXPECT_TRUE(fs::is_character_file(path));
 }
 
+/// Two benches of one rig: the second must not take the vehicle of the first from its autopilot.
+TEST_F(Pty, NeverTakesTheNameOfADeviceThatLives) {
+  auto first = open(io, uri, Side::device);
+  const auto owner = fs::read_symlink(path);
+  const auto second = open_bytes(io.get_executor(), parse_uri(uri).value(), Side::device);
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().message,
+            path +
+                " is a device of another program that runs; end that one, or give this device "
+                "another name");
+  EXPECT_EQ(fs::read_symlink(path), owner);
+  first->close();
+  EXPECT_TRUE(open_bytes(io.get_executor(), parse_uri(uri).value(), Side::device));
+}
+
 TEST_F(Pty, LeavesANameAloneThatIsNoLongerItsOwn) {
   auto device = open(io, uri, Side::device);
   fs::remove(path);
