@@ -93,6 +93,8 @@ struct GnssFix {
   std::optional<Geodetic> position;  ///< WGS-84; empty unless the receiver calls it valid
   std::optional<double> ellipsoidal_height_m, mean_sea_level_height_m;
   std::optional<Eigen::Vector3d> velocity_ned;  ///< m/s
+  /// One sigma. The horizontal one is radial: the root of the variance north plus that east, as
+  /// u-blox's hAcc; axis_sigma_m() is that of an axis.
   std::optional<double> horizontal_accuracy_m, vertical_accuracy_m, speed_accuracy_mps;
   std::optional<double> position_dop;
   std::optional<int> satellites_used;

@@ -1,6 +1,8 @@
 #include "estimators/smoothing/level_filter.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "estimators/frame/earth.hpp"
 #include "estimators/smoothing/singer.hpp"
@@ -16,7 +18,13 @@ namespace {
 /// One sigma of a heading of which nothing is known: uniform around the circle, pi / sqrt(3).
 constexpr double any_heading_rad = 1.8138;
 constexpr double any_turn_radps = 0.1;  ///< as at the start of a dive
-constexpr int most_refused = 3;         ///< headings, one after the other
+/// A gap between two headings is so many times as long as that before it.
+constexpr double longest_usual = 4;
+/// The largest sigma of a heading whose way is still about linear in its error.
+constexpr double most_linear_rad = 0.5;
+/// A heading behind a gap that is so many sigmas away shows that the motion does not tell the gap.
+constexpr double most_explained = 3;
+constexpr int most_refused = 3;  ///< headings, one after the other
 /// A vehicle manoeuvres in bursts, and the likeliest motion is that of all its hours: the gate
 /// takes what was expected as this much less certain, so that the begins of turns pass.
 constexpr double burst_factor = 1.6;
@@ -53,10 +61,15 @@ const SensorModel& LevelFilter::sensor(std::uint16_t device) const {
   return device < options_.sensors.size() ? options_.sensors[device] : perfect;
 }
 
-LevelMatrix LevelFilter::propagate(double dt) {
+LevelMatrix LevelFilter::propagate(double dt, const HeadingAhead& ahead) {
   correction_.setZero();
   const LevelMatrix forgetting = forget_refused_heading();
-  return (loses_heading(dt) ? cross_gap(dt) : step(dt, options_.motion)) * forgetting;
+  const LevelMatrix transition =
+      loses_heading(dt, ahead)
+          ? cross_gap(dt, ahead)
+          : step(dt, options_.motion, middle_axes(state_, options_.motion, dt));
+  unseen_s_ += dt;
+  return transition * forgetting;
 }
 
 LevelMatrix LevelFilter::forget(int part, double sigma) {
@@ -74,32 +87,53 @@ LevelMatrix LevelFilter::forget_refused_heading() {
          forget(turn_change_part, swing_of(options_.motion));
 }
 
-bool LevelFilter::loses_heading(double dt) const {
+bool LevelFilter::loses_heading(double dt, const HeadingAhead& ahead) const {
+  const double unseen_s = unseen_s_ + (ahead.reading != nullptr ? std::max(dt, ahead.in_s) : dt);
+  if (unseen_s < any_heading_rad / any_turn_radps) return false;
+  if (unseen_s > longest_usual * usual_s_) return true;
   const auto about = singer_step(options_.motion.turn_radps, options_.motion.turn_change_s, dt);
-  constexpr std::array parts{heading_part, turn_part, turn_change_part};
-  double variance = about.noise(0, 0);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      variance += about.transition(0, i) * about.transition(0, j) *
-                  p_(parts[static_cast<std::size_t>(i)], parts[static_cast<std::size_t>(j)]);
-  return variance > any_heading_rad * any_heading_rad;
+  if (about.noise(0, 0) + p_(heading_part, heading_part) > std::pow(most_linear_rad, 2))
+    return true;
+  if (ahead.reading == nullptr || ahead.in_s > dt) return false;
+  LevelVector slope = LevelVector::Zero();
+  slope(heading_part) = slope(bias_part) = 1;
+  slope(turn_part) = about.transition(0, 1);
+  slope(turn_change_part) = about.transition(0, 2);
+  const double sigma = ahead.reading->sigma.x();
+  const double variance = slope.dot(p_ * slope) + about.noise(0, 0) + sigma * sigma;
+  const double expected = heading_row(sensor(ahead.reading->device)).expected +
+                          slope(turn_part) * state_.turn_radps +
+                          slope(turn_change_part) * state_.turn_change_radps2;
+  const double residual = frame::wrap_pi(ahead.reading->value.x() - expected);
+  return residual * residual > most_explained * most_explained * variance;
 }
 
-LevelMatrix LevelFilter::cross_gap(double dt) {
+LevelMatrix LevelFilter::cross_gap(double dt, const HeadingAhead& ahead) {
   const LevelMatrix forgetting =
-      forget(heading_part, any_heading_rad) * forget(turn_part, 0) * forget(turn_change_part, 0);
+      forget(heading_part, 0) * forget(turn_part, 0) * forget(turn_change_part, 0);
   state_.turn_radps = state_.turn_change_radps2 = 0;
+  Matrix3d axes = heading_to_ned(state_.heading_rad);
+  double speed = state_.velocity.head<2>().norm();
+  if (ahead.reading != nullptr) {
+    const double part = (unseen_s_ + dt / 2) / (unseen_s_ + ahead.in_s);
+    axes += part * (heading_to_ned(ahead.reading->value.x()) - axes);
+    speed = std::max(speed, ahead.speed_mps);
+    if (ahead.in_s <= dt) state_.heading_rad = ahead.reading->value.x();
+  }
   LevelMotion straight = options_.motion;
   straight.turn_radps = 0;
-  LevelMatrix transition = step(dt, straight) * forgetting;
+  LevelMatrix transition = step(dt, straight, axes) * forgetting;
+  const double any_way = speed * speed * dt * (2 * unseen_s_ + dt);
+  p_.diagonal().segment<2>(position_part).array() += any_way;
+  p_(heading_part, heading_part) = any_heading_rad * any_heading_rad;
   p_(turn_part, turn_part) = any_turn_radps * any_turn_radps;
   p_(turn_change_part, turn_change_part) = std::pow(swing_of(options_.motion), 2);
   return transition;
 }
 
-LevelMatrix LevelFilter::step(double dt, const LevelMotion& motion) {
-  const LevelMatrix q = wandering(state_, motion, dt);
-  LevelMatrix transition = move(state_, motion, dt);
+LevelMatrix LevelFilter::step(double dt, const LevelMotion& motion, const Matrix3d& axes) {
+  const LevelMatrix q = wandering(motion, dt, axes);
+  LevelMatrix transition = move(state_, motion, dt, axes);
   const LevelMatrix p = transition * p_ * transition.transpose() + q;
   p_ = (p + p.transpose()) / 2;
   return transition;
@@ -119,8 +153,10 @@ std::array<Residual, 3> LevelFilter::update(const Reading& reading, const Tilt& 
   }
   state_.add(errors);
   correction_ += errors;
-  if (reading.quantity == Quantity::heading && residuals[0].known)
+  if (reading.quantity == Quantity::heading && residuals[0].known) {
     refused_headings_ = residuals[0].used ? 0 : refused_headings_ + 1;
+    if (residuals[0].used && unseen_s_ > 0) usual_s_ = std::exchange(unseen_s_, 0);
+  }
   return residuals;
 }
 

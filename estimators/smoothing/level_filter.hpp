@@ -23,6 +23,13 @@ struct LevelOptions {
   double gate_sigma = 5;  ///< axes with a larger normalised residual are refused; 0: no gate
 };
 
+/// The next heading from the begin of a step on. A heading that was lost is found again there.
+struct HeadingAhead {
+  const Reading* reading = nullptr;  ///< null: none comes
+  double in_s = 0;
+  double speed_mps = 0;  ///< of the vehicle there
+};
+
 /// Extended Kalman filter of a LevelState. Allocates nothing, throws nothing; values are finite or
 /// NaN for an axis that was not measured.
 class LevelFilter {
@@ -30,7 +37,7 @@ class LevelFilter {
   explicit LevelFilter(const LevelOptions& options);
 
   /// Returns the transition of the errors over `dt`.
-  LevelMatrix propagate(double dt);
+  LevelMatrix propagate(double dt, const HeadingAhead& ahead);
 
   /// Compares a reading with the state at its time, and corrects the state with the axes inside
   /// the gate. Residuals are relative to the state before the whole reading, in its units; those
@@ -50,15 +57,15 @@ class LevelFilter {
   };
   using Rows = std::array<Row, 3>;
 
-  LevelMatrix step(double dt, const LevelMotion& motion);
-  /// True if after `dt` without a reading the heading may be any.
-  bool loses_heading(double dt) const;
+  LevelMatrix step(double dt, const LevelMotion& motion, const Eigen::Matrix3d& axes);
+  /// True if after `dt` the heading may be any, or is another than the filter can explain.
+  bool loses_heading(double dt, const HeadingAhead& ahead) const;
   /// Makes one of the errors independent, with this sigma. Returns the transition of that.
   LevelMatrix forget(int part, double sigma);
   /// After a run of refused headings the state is wrong rather than they.
   LevelMatrix forget_refused_heading();
-  /// Forgets heading and turn: over a gap their linear errors would turn into any way.
-  LevelMatrix cross_gap(double dt);
+  /// Forgets heading and turn, eq. (S14): their linear errors would turn into any way.
+  LevelMatrix cross_gap(double dt, const HeadingAhead& ahead);
   Rows rows_of(const Reading& reading, const Tilt& tilt) const;
   Rows velocity_rows(const SensorModel& sensor, const Tilt& tilt, bool of_water) const;
   Rows fix_rows(const Reading& reading, const SensorModel& sensor, const Tilt& tilt) const;
@@ -71,6 +78,8 @@ class LevelFilter {
   LevelMatrix p_ = LevelMatrix::Zero();
   LevelVector correction_ = LevelVector::Zero();
   int refused_headings_ = 0;  ///< one after the other
+  double unseen_s_ = 0;       ///< since a heading was used
+  double usual_s_ = 0;        ///< between the two used before
 };
 
 }  // namespace drydock::smoothing

@@ -1,6 +1,7 @@
 #include "estimators/smoothing/level_smoother.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 
@@ -44,6 +45,40 @@ struct Order {
   }
 };
 
+/// Looks ahead of the filter, which goes through the readings in their order.
+class Lookout {
+ public:
+  Lookout(const Dive& dive, const Order& by_time) : dive_(dive), by_time_(by_time) {}
+
+  /// From `now_s` on, for the epoch that begins at `k`. `k` does not decrease.
+  HeadingAhead from(std::size_t k, double now_s) {
+    find(heading_, k, [](const Reading& r) { return r.quantity == Quantity::heading; });
+    if (heading_ == by_time_.order.size()) return {};
+    find(speed_, k, [](const Reading& r) {
+      return r.quantity == Quantity::bottom || r.quantity == Quantity::log;
+    });
+    return {&reading(heading_), by_time_.time_s(heading_) - now_s, speed()};
+  }
+
+ private:
+  const Reading& reading(std::size_t k) const { return dive_.readings[by_time_.order[k]]; }
+  void find(std::size_t& at, std::size_t k, auto wanted) const {
+    at = std::max(at, k);
+    while (at < by_time_.order.size() &&
+           (!wanted(reading(at)) || std::isnan(reading(at).value.x())))
+      ++at;
+  }
+  double speed() const {
+    if (speed_ == by_time_.order.size()) return 0;
+    const auto& v = reading(speed_).value;
+    return std::isnan(v.y()) ? std::abs(v.x()) : v.head<2>().norm();
+  }
+
+  const Dive& dive_;
+  const Order& by_time_;
+  std::size_t heading_ = 0, speed_ = 0;
+};
+
 using AfterEpoch =
     std::function<void(double time_s, const LevelStep& step, const LevelFilter& filter)>;
 
@@ -52,11 +87,12 @@ Residuals pass(const Dive& dive, const LevelOptions& options, const Order& by_ti
                const AfterEpoch& after) {
   Residuals residuals(dive.readings.size());
   LevelFilter filter(options);
+  Lookout lookout(dive, by_time);
   double now = by_time.order.empty() ? 0 : by_time.time_s(0);
   for (std::size_t k = 0; k < by_time.order.size();) {
     const double time = by_time.time_s(k);
     LevelStep step;
-    step.transition = filter.propagate(time - now);
+    step.transition = filter.propagate(time - now, lookout.from(k, now));
     if (after) step.predicted = filter.covariance();
     now = time;
     const Tilt tilt = tilt_at(dive.tilts, now);

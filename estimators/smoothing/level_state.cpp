@@ -23,9 +23,13 @@ void move_by(frame::Position& position, const Vector3d& ned) {
 }
 
 /// d(NED velocity) by the heading.
-Vector3d turned(double heading_rad, const Vector3d& v) {
-  const double s = std::sin(heading_rad), c = std::cos(heading_rad);
-  return {-s * v.x() - c * v.y(), c * v.x() - s * v.y(), 0};
+Vector3d turned(const Matrix3d& axes, const Vector3d& v) {
+  return axes * Vector3d(-v.y(), v.x(), 0);
+}
+
+double turned_over(const LevelState& state, const LevelMotion& motion, double dt) {
+  const auto about = singer_step(motion.turn_radps, motion.turn_change_s, dt).transition;
+  return state.turn_radps * dt + state.turn_change_radps2 * about(0, 2);
 }
 
 }  // namespace
@@ -56,14 +60,16 @@ Vector3d moved_by_tilting(const Tilt& tilt, const Vector3d& place) {
   return level * by_roll + tilt.pitch_radps * Vector3d::UnitY().cross(level * place);
 }
 
-LevelMatrix move(LevelState& state, const LevelMotion& motion, double dt) {
+Matrix3d middle_axes(const LevelState& state, const LevelMotion& motion, double dt) {
+  return heading_to_ned(state.heading_rad + turned_over(state, motion, dt) / 2);
+}
+
+LevelMatrix move(LevelState& state, const LevelMotion& motion, double dt, const Matrix3d& axes) {
   const auto along = singer_step(motion.velocity_mps, motion.acceleration_s, dt).transition;
   const auto about = singer_step(motion.turn_radps, motion.turn_change_s, dt).transition;
-  const double turned_rad = state.turn_radps * dt + state.turn_change_radps2 * about(0, 2);
+  const double turned_rad = turned_over(state, motion, dt);
   const Vector3d way = state.velocity * dt + state.acceleration * along(0, 2);
-  const double middle = state.heading_rad + turned_rad / 2;
-  const Matrix3d axes = heading_to_ned(middle);
-  const Vector3d by_heading = turned(middle, way);
+  const Vector3d by_heading = turned(axes, way);
   LevelMatrix transition = LevelMatrix::Identity();
   transition.block<3, 3>(position_part, velocity_part) = axes * dt;
   transition.block<3, 3>(position_part, acceleration_part) = axes * along(0, 2);
@@ -85,11 +91,10 @@ LevelMatrix move(LevelState& state, const LevelMotion& motion, double dt) {
   return transition;
 }
 
-LevelMatrix wandering(const LevelState& state, const LevelMotion& motion, double dt) {
+LevelMatrix wandering(const LevelMotion& motion, double dt, const Matrix3d& axes) {
   const auto along = singer_step(motion.velocity_mps, motion.acceleration_s, dt).noise;
   const auto about = singer_step(motion.turn_radps, motion.turn_change_s, dt).noise;
   LevelMatrix q = LevelMatrix::Zero();
-  const Matrix3d axes = heading_to_ned(state.heading_rad);
   constexpr std::array moved{position_part, velocity_part, acceleration_part};
   constexpr std::array swung{heading_part, turn_part, turn_change_part};
   for (int i = 0; i < 3; ++i)
@@ -111,7 +116,7 @@ TrackPoint point_of(double time_s, const LevelState& state, const LevelMatrix& c
                     const Tilt& tilt) {
   const Matrix3d axes = heading_to_ned(state.heading_rad);
   Eigen::Matrix<double, 3, 4> by_errors;  // of the NED velocity, by velocity and heading
-  by_errors << axes, turned(state.heading_rad, state.velocity);
+  by_errors << axes, turned(axes, state.velocity);
   TrackPoint point;
   point.time_s = time_s;
   point.position = state.position;

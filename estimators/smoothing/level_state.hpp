@@ -50,10 +50,13 @@ Eigen::Matrix3d body_to_level(const Tilt& tilt);
 /// How fast a place in the body moves by the rates of roll and pitch alone, heading axes, m/s.
 Eigen::Vector3d moved_by_tilting(const Tilt& tilt, const Eigen::Vector3d& place);
 
-/// Moves the state by `dt` and returns the transition of its errors, eq. (S6).
-LevelMatrix move(LevelState& state, const LevelMotion& motion, double dt);
+/// Where the heading axes point on the mean of the next `dt`: heading axes -> NED.
+Eigen::Matrix3d middle_axes(const LevelState& state, const LevelMotion& motion, double dt);
+/// Moves the state by `dt` along such axes and returns the transition of its errors, eq. (S6).
+LevelMatrix move(LevelState& state, const LevelMotion& motion, double dt,
+                 const Eigen::Matrix3d& axes);
 /// What `dt` adds to the covariance, eq. (S7).
-LevelMatrix wandering(const LevelState& state, const LevelMotion& motion, double dt);
+LevelMatrix wandering(const LevelMotion& motion, double dt, const Eigen::Matrix3d& axes);
 
 TrackPoint point_of(double time_s, const LevelState& state, const LevelMatrix& covariance,
                     const Tilt& tilt);

@@ -5,6 +5,7 @@
 
 #include "drivers/measurement/units.hpp"
 #include "drivers/measurement/water_column.hpp"
+#include "estimators/frame/attitude.hpp"
 
 namespace drydock::characterize {
 namespace {
@@ -21,7 +22,8 @@ Vector3d north_east_down(const measurement::Geodetic& here, const measurement::G
                          double rise_m) {
   constexpr double mean_radius_m = 6'371'009;
   return {(here.latitude_rad - first.latitude_rad) * mean_radius_m,
-          (here.longitude_rad - first.longitude_rad) * mean_radius_m * std::cos(first.latitude_rad),
+          frame::wrap_pi(here.longitude_rad - first.longitude_rad) * mean_radius_m *
+              std::cos(first.latitude_rad),
           -rise_m};
 }
 
@@ -87,9 +89,13 @@ void Samples::add(const measurement::Measurement& any) {
          actuator->bow_plane_rad.value_or(absent)},
         {actuator->propeller_radps.value_or(absent), absent, absent});
   } else if (const auto* compass = std::get_if<measurement::AttitudeSample>(&any)) {
+    const double heading_rad = compass->heading_rad.value_or(absent);
+    const double last_rad = heading_rad_.value_or(heading_rad);
+    if (std::isfinite(heading_rad))
+      heading_rad_ = last_rad + frame::wrap_pi(heading_rad - last_rad);
     put(compass->origin,
         {compass->roll_rad.value_or(absent), compass->pitch_rad.value_or(absent),
-         compass->heading_rad.value_or(absent)},
+         std::isfinite(heading_rad) ? *heading_rad_ : absent},
         {compass->rate_of_turn_radps.value_or(absent), absent, absent});
   }
 }

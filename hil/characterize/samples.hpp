@@ -24,7 +24,8 @@ struct Subject {
 /// The output of a device, in the quantities and axes of its sensor file: IMU rate and specific
 /// force, rad/s, m/s2; DVL velocity, m/s; EM log speed ahead and across, m/s; depth absolute
 /// pressure, Pa; GNSS position from the first, velocity, north east down, m, m/s; actuator angles
-/// and shaft, rad, rad/s. NaN: the device did not give it.
+/// and shaft, rad, rad/s; attitude, its heading without a leap at north, rad, rad/s. NaN: the
+/// device did not give it.
 struct Samples {
   explicit Samples(Subject of) : subject(std::move(of)) {}
   void add(const measurement::Measurement& measurement);
@@ -39,6 +40,7 @@ struct Samples {
  private:
   std::optional<measurement::Geodetic> first_position_;
   double first_height_m_ = 0;
+  std::optional<double> heading_rad_;  ///< the last one of a compass; it goes on beyond north
 };
 
 }  // namespace drydock::characterize

@@ -2,6 +2,7 @@
 
 #include <Eigen/SVD>
 #include <cmath>
+#include <optional>
 
 namespace drydock::score {
 namespace {
@@ -43,9 +44,11 @@ Matrix3d any_turn(const Matrix3d& cross) {
   return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
 }
 
-Matrix3d turn_of(const std::vector<Pair>& pairs, const Means& means, Alignment alignment) {
+/// Empty: the pairs do not tell it.
+std::optional<Matrix3d> turn_of(const std::vector<Pair>& pairs, const Means& means,
+                                Alignment alignment) {
   const Matrix3d cross = cross_of(pairs, means);
-  if (pairs.size() < 3 || !(cross.norm() > 1e-12)) return Matrix3d::Identity();
+  if (pairs.size() < 3 || !(cross.norm() > 1e-12)) return {};
   return alignment == Alignment::yaw ? turn_about_down(cross) : any_turn(cross);
 }
 
@@ -57,14 +60,16 @@ void turn(Pose& pose, const Matrix3d& by, const Vector3d& from, const Vector3d& 
 
 }  // namespace
 
-void align(std::vector<Pair>& pairs, Alignment alignment) {
-  if (pairs.empty() || alignment == Alignment::none) return;
+bool align(std::vector<Pair>& pairs, Alignment alignment) {
+  if (pairs.empty() || alignment == Alignment::none) return true;
   const bool turns = alignment != Alignment::start;
   const Means means =
       turns ? means_of(pairs)
             : Means{pairs.front().estimate.position_ned, pairs.front().truth.position_ned};
-  const Matrix3d by = turns ? turn_of(pairs, means, alignment) : Matrix3d::Identity();
-  for (Pair& pair : pairs) turn(pair.estimate, by, means.estimate, means.truth);
+  const auto by = turns ? turn_of(pairs, means, alignment) : Matrix3d(Matrix3d::Identity());
+  for (Pair& pair : pairs)
+    turn(pair.estimate, by.value_or(Matrix3d::Identity()), means.estimate, means.truth);
+  return by.has_value();
 }
 
 }  // namespace drydock::score

@@ -18,7 +18,7 @@ enum class Alignment : std::uint8_t {
 inline constexpr std::array alignment_names{"none", "start", "yaw", "rigid"};
 
 /// Moves the estimates, their attitudes and their covariances. Fewer than three pairs, or no
-/// movement at all, cannot be turned: then `yaw` and `rigid` only shift.
-void align(std::vector<Pair>& pairs, Alignment alignment);
+/// movement at all, cannot be turned: then `yaw` and `rigid` only shift, and the answer is false.
+bool align(std::vector<Pair>& pairs, Alignment alignment);
 
 }  // namespace drydock::score

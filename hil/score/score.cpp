@@ -61,7 +61,10 @@ int score(const ScoreOptions& options, std::FILE* out, std::FILE* err) try {
       pairs_of(estimates->track, truth->track, measurement::from_seconds(options.longest_gap_s));
   if (const auto disorder = disorder_of(pairs, options); !disorder.empty())
     return refused(disorder, terminal::exit_failed, err);
-  align(pairs.all, options.alignment);
+  if (!align(pairs.all, options.alignment))
+    estimates->notes.emplace_back(
+        "the turn of the alignment is not determined: fewer than three estimates with a truth, or "
+        "no movement; they were only shifted, and the shift takes of the error what it can");
   const auto errors = errors_of(pairs.all, measurement::from_seconds(options.interval_s));
   const auto& notes = estimates->notes;
   fmt::print(out, "{}",

@@ -33,7 +33,7 @@ Json line_json(const Outcome& outcome, std::span<const TrackPoint> points) {
        east = Json::array();
   for (const auto& point : points) {
     coordinates.push_back(place_json(point.position));
-    times.push_back(utc_text(outcome.gathered.start, point.time_s));
+    times.push_back(utc_text(outcome.gathered.utc, point.time_s));
     north.push_back(sigma_of(point, 0));
     east.push_back(sigma_of(point, 1));
   }
@@ -50,7 +50,7 @@ Json fix_json(const Outcome& outcome, const smoothing::Reading& fix) {
   return {{"type", "Feature"},
           {"properties",
            {{"device", outcome.gathered.device_name(fix.device)},
-            {"time", utc_text(outcome.gathered.start, fix.time_s)}}},
+            {"time", utc_text(outcome.gathered.utc, fix.time_s)}}},
           {"geometry",
            {{"type", "Point"},
             {"coordinates", place_json({fix.value.x(), fix.value.y(), fix.value.z()})}}}};
@@ -118,7 +118,7 @@ std::string to_gpx(const Outcome& outcome, std::span<const TrackPoint> points) {
     out += fmt::format(
         "<trkpt lat=\"{:.9f}\" lon=\"{:.9f}\"><ele>{:.3f}</ele><time>{}</time></trkpt>\n",
         degrees(p.position.latitude_rad), degrees(p.position.longitude_rad), p.position.height_m,
-        utc_text(outcome.gathered.start, p.time_s));
+        utc_text(outcome.gathered.utc, p.time_s));
   return out + "</trkseg></trk>\n</gpx>\n";
 }
 
@@ -133,7 +133,7 @@ std::string to_csv(const Outcome& outcome, std::span<const TrackPoint> points) {
     out += fmt::format(
         "{:.6f},{},{:.9f},{:.9f},{:.4f},{:.5f},{:.5f},{:.5f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},"
         "{:.4f},{:.4f},{:.4f}\n",
-        p.time_s, utc_text(outcome.gathered.start, p.time_s), degrees(p.position.latitude_rad),
+        p.time_s, utc_text(outcome.gathered.utc, p.time_s), degrees(p.position.latitude_rad),
         degrees(p.position.longitude_rad), p.position.height_m, p.velocity_ned.x(),
         p.velocity_ned.y(), p.velocity_ned.z(), degrees(p.attitude.roll), degrees(p.attitude.pitch),
         heading, sigma_of(p, 0), sigma_of(p, 1), sigma_of(p, 2),

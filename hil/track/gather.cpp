@@ -64,6 +64,7 @@ Gathered gather_capture(const decode::ReplayOptions& capture, const record::Sele
   const auto played = played_capture(made, part);
   if (played.measurements.empty()) throw std::runtime_error(silence_of(capture, made, part));
   Gatherer gatherer(made.rig, {});
+  if (!played.times_of_capture) gatherer.take_utc_of_receiver();
   for (const auto& m : played.measurements) {
     gatherer.on_measurement(m);
     if (also != nullptr) also->on_measurement(m);

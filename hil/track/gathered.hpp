@@ -24,6 +24,7 @@ struct Gathered {
   rig_config::Rig rig;
   std::string rig_text;        ///< the rig file; empty: a capture
   measurement::Stamp start{};  ///< time zero of the dive
+  measurement::Stamp utc{};    ///< the same, as a receiver tells it where the capture does not
   smoothing::Dive dive;
   std::vector<smoothing::UnstatedNoise>
       unstated;              ///< sensors that do not say how accurate they are

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "drivers/measurement/axis_sigma.hpp"
 #include "drivers/measurement/units.hpp"
 #include "estimators/frame/attitude.hpp"
 
@@ -124,11 +125,12 @@ void Gatherer::hear(const measurement::AttitudeSample& sample) {
 }
 
 void Gatherer::hear(const measurement::GnssFix& fix) {
+  if (fix.utc && !utc_ahead_) utc_ahead_ = *fix.utc - fix.origin.valid_at;
   if (!fix.position || !is_position(fix.type)) return pass_over("GNSS without fix");
   add(Quantity::fix, fix.origin,
       {fix.position->latitude_rad, fix.position->longitude_rad,
        fix.ellipsoidal_height_m.value_or(0)},
-      sigma_of(fix.horizontal_accuracy_m), usual_fix_m);
+      sigma_of(measurement::axis_sigma_m(fix)), usual_fix_m);
 }
 
 void Gatherer::hear(const measurement::ImuSample& sample) {
@@ -149,6 +151,8 @@ Gathered Gatherer::take() {
   if (most != tilts_.end()) dive.tilts = std::move(most->second);
   std::ranges::stable_sort(dive.tilts, {}, &smoothing::Tilt::time_s);
   gathered_.rig = rig_;
+  gathered_.utc = gathered_.start;
+  if (utc_of_receiver_ && utc_ahead_) gathered_.utc += *utc_ahead_;
   return std::move(gathered_);
 }
 

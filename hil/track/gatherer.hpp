@@ -10,6 +10,8 @@ class Gatherer final : public host::Follower {
  public:
   /// `inertial`: keep the samples of this IMU. The rig must outlive the gatherer.
   Gatherer(const rig_config::Rig& rig, std::optional<std::uint16_t> inertial);
+  /// The times are those of a device's own clock: where a receiver tells UTC, that counts.
+  void take_utc_of_receiver() { utc_of_receiver_ = true; }
 
   void on_measurement(const measurement::Measurement& measurement) override;
   void on_truth(const host::Estimate& truth) override;
@@ -38,8 +40,9 @@ class Gatherer final : public host::Follower {
 
   const rig_config::Rig& rig_;
   std::optional<std::uint16_t> inertial_;
-  bool has_compass_ = false;
+  bool has_compass_ = false, utc_of_receiver_ = false;
   bool started_ = false;
+  std::optional<std::chrono::nanoseconds> utc_ahead_;  ///< of the times of the measurements
   Gathered gathered_;
   std::map<std::uint16_t, std::vector<smoothing::Tilt>> tilts_;  ///< by device
 };

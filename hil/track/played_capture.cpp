@@ -16,6 +16,7 @@ PlayedCapture played_capture(const CaptureRig& rig, const record::Selection& par
     if (!begin) begin = at;
     if (part.holds(at, *begin)) played.measurements.push_back(m);
   });
+  played.times_of_capture = result.clock.pace == shell::Pace::arrival;
   played.notes.push_back(result.clock.in_words());
   return played;
 }

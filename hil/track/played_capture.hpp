@@ -9,6 +9,7 @@ namespace drydock::track {
 /// All that the driver of a capture measured, in the order of the file.
 struct PlayedCapture {
   std::vector<measurement::Measurement> measurements;
+  bool times_of_capture = false;   ///< else of a device's own clock, or of none
   std::vector<std::string> notes;  ///< whose clock the times are of, and what is odd about them
 };
 

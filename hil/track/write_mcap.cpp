@@ -20,7 +20,7 @@ host::Estimate estimate_of(const Outcome& outcome, const smoothing::TrackPoint& 
   host::Estimate estimate;
   estimate.estimator = estimator;
   auto& n = estimate.navigation.emplace();
-  n.valid_at = outcome.gathered.start + measurement::from_seconds(point.time_s);
+  n.valid_at = outcome.gathered.utc + measurement::from_seconds(point.time_s);
   n.latitude_rad = point.position.latitude_rad;
   n.longitude_rad = point.position.longitude_rad;
   n.height_m = point.position.height_m;
@@ -44,7 +44,7 @@ void write_mcap(const Outcome& outcome, const std::string& path, bool overwrite)
   options.path = path;
   options.overwrite = overwrite;
   const auto rig = rig_of_track(outcome);
-  host::RigRecorder recorder(rig, options, outcome.gathered.start, record::WhenBehind::wait);
+  host::RigRecorder recorder(rig, options, outcome.gathered.utc, record::WhenBehind::wait);
   for (std::size_t k = 0; k < outcome.track.smoothed.size(); ++k) {
     recorder.on_estimate(estimate_of(outcome, outcome.track.smoothed[k], 0));
     recorder.on_estimate(estimate_of(outcome, outcome.track.filtered[k], 1));

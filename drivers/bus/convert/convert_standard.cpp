@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "drivers/bus/convert/convert.hpp"
+#include "drivers/measurement/axis_sigma.hpp"
 #include "drivers/measurement/units.hpp"
 
 namespace drydock::bus {
@@ -179,9 +180,10 @@ bool fill(NavSatFixMessage& message, const GnssFix& sample) {
   message.altitude = or_nan(sample.position ? sample.ellipsoidal_height_m : std::nullopt);
   std::ranges::fill(message.position_covariance, 0.0);
   message.position_covariance_type = unknown;
-  if (sample.horizontal_accuracy_m && sample.vertical_accuracy_m) {
-    const double horizontal = *sample.horizontal_accuracy_m, vertical = *sample.vertical_accuracy_m;
-    message.position_covariance[0] = message.position_covariance[4] = horizontal * horizontal;
+  const auto axis = measurement::axis_sigma_m(sample);
+  if (axis && sample.vertical_accuracy_m) {
+    const double vertical = *sample.vertical_accuracy_m;
+    message.position_covariance[0] = message.position_covariance[4] = *axis * *axis;
     message.position_covariance[8] = vertical * vertical;
     message.position_covariance_type = approximated;
   }
@@ -196,8 +198,8 @@ bool read(GnssFix& sample, const NavSatFixMessage& message) {
   sample.ellipsoidal_height_m = to_optional(message.altitude);
   sample.type = sample.ellipsoidal_height_m ? FixType::three_d : FixType::two_d;
   if (message.position_covariance_type != unknown) {
-    sample.horizontal_accuracy_m = to_optional(
-        std::sqrt(std::max(message.position_covariance[0], message.position_covariance[4])));
+    sample.horizontal_accuracy_m =
+        to_optional(std::sqrt(message.position_covariance[0] + message.position_covariance[4]));
     sample.vertical_accuracy_m = to_optional(std::sqrt(message.position_covariance[8]));
   }
   return true;

@@ -8,13 +8,20 @@ namespace {
 
 std::chrono::nanoseconds in_ns(double seconds) { return measurement::from_seconds(seconds); }
 
+constexpr double oldest_echo_s = 2;
+
 /// Time between the bottom echo and the sentence's first byte.
 std::optional<std::chrono::nanoseconds> age_of(const wire::NortekTimes& times) {
-  constexpr double oldest_echo_s = 2;
   if (!times.after_sentence_s) return {};
   const double age_s = -*times.after_sentence_s;
   if (!(age_s >= 0 && age_s <= oldest_echo_s)) return {};
   return in_ns(age_s);
+}
+
+/// The sentence shows the time of its trigger; the echo came later. Zero: it does not say when.
+std::chrono::nanoseconds echo_after_trigger(const wire::NortekTimes& times) {
+  const double after_s = times.after_trigger_s.value_or(0);
+  return after_s >= 0 && after_s <= oldest_echo_s ? in_ns(after_s) : in_ns(0);
 }
 
 /// Seconds of 32 bits, since 1970 or since the start: no clock of a DVL shows anything else.
@@ -33,7 +40,7 @@ void NortekDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& o
 void NortekDriver::publish(const wire::NortekVelocity& sentence, Origin origin, Output& out) {
   measurement::BottomVelocity result;
   if (const auto time_s = sentence.ping_time_s; time_s && is_clock_time(*time_s))
-    origin.device_time = in_ns(*time_s);
+    origin.device_time = in_ns(*time_s) + echo_after_trigger(sentence);
   else if (time_s)
     out.refuse("a ping time that no clock has was left out");
   result.origin = origin;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/measurement/axis_sigma.hpp"
 #include "estimators/pipeline/inertial/navigation_estimator.hpp"
 
 namespace drydock::pipeline {
@@ -59,7 +60,7 @@ Outcome NavigationEstimator::take(const measurement::GnssFix& fix, EstimateListe
   constexpr double unknown_height_sigma_m = 1e4;
   const auto& gnss = options_.gnss;
   if (!gnss || fix.origin.device != gnss->device || !fix.position) return Outcome::unused;
-  const double horizontal = fix.horizontal_accuracy_m.value_or(options_.position_sigma_m);
+  const double horizontal = measurement::axis_sigma_m(fix).value_or(options_.position_sigma_m);
   double vertical = fix.vertical_accuracy_m.value_or(options_.position_height_sigma_m);
   frame::Position position{fix.position->latitude_rad, fix.position->longitude_rad,
                            filter_->state().position.height_m};

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/measurement/axis_sigma.hpp"
 #include "estimators/pipeline/reckoning/dead_reckoning_estimator.hpp"
 
 /// What dead reckoning takes beside the speeds: attitude, depth, fixes.
@@ -89,7 +90,7 @@ Outcome DeadReckoningEstimator::take(const measurement::DepthSample& sample, Est
 
 Outcome DeadReckoningEstimator::take(const measurement::GnssFix& fix, EstimateListener& listener) {
   if (!is_of(options_.gnss, fix.origin) || !fix.position) return Outcome::unused;
-  const double sigma = fix.horizontal_accuracy_m.value_or(options_.fix_sigma_m);
+  const double sigma = measurement::axis_sigma_m(fix).value_or(options_.fix_sigma_m);
   const frame::Position antenna{fix.position->latitude_rad, fix.position->longitude_rad,
                                 position_ ? position_->height_m : options_.sea_level_m};
   if (!(sigma > 0) || !std::isfinite(antenna.latitude_rad + antenna.longitude_rad))

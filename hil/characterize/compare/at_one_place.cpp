@@ -35,6 +35,14 @@ std::vector<Vector3d> unwrapped(std::vector<Vector3d> attitude) {
   return attitude;
 }
 
+/// A receiver of NMEA 0183 tells no vertical velocity: at the surface it is taken as none.
+std::vector<Vector3d> over_ground_of(const Samples& gnss) {
+  std::vector<Vector3d> velocities = gnss.quantities[1];
+  for (auto& velocity : velocities)
+    if (std::isnan(velocity.z()) && velocity.head<2>().allFinite()) velocity.z() = 0;
+  return velocities;
+}
+
 std::optional<double> course_of(const Vector3d& velocity_ned) {
   if (velocity_ned.head<2>().norm() < slowest_mps) return std::nullopt;
   return std::atan2(velocity_ned.y(), velocity_ned.x());
@@ -47,7 +55,7 @@ AtOnePlace::AtOnePlace(const Samples& dvl, const Samples& gnss, const Samples* i
       arm_(dvl.subject.lever_arm_m - gnss.subject.lever_arm_m),
       with_imu_(imu != nullptr),
       sensor_(dvl, dvl.quantities[0], gnss.origins.front().valid_at),
-      reference_(gnss, gnss.quantities[1], gnss.origins.front().valid_at),
+      reference_(gnss, over_ground_of(gnss), gnss.origins.front().valid_at),
       attitude_(dvl, unwrapped(dvl.attitude), gnss.origins.front().valid_at),
       rate_(rate_of(imu, gnss.origins.front().valid_at)) {}
 

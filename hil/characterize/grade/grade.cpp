@@ -59,10 +59,12 @@ void put_noise(const Place& place, const AxisFigures& axis, const Quantity& quan
   if (axis.noise->walk) place.put(&SensorErrors::random_walk, *axis.noise->walk);
 }
 
-/// If a sensor carries its rounding remainder, only the Allan deviation shows its step.
-void put_step(const Place& place, const AxisFigures& axis, double rate_hz, SensorErrors& errors) {
+/// If a sensor carries its rounding remainder, only the Allan deviation shows its step: at rest,
+/// for the turns of a vehicle have the same slope there.
+void put_step(const Place& place, const AxisFigures& axis, bool at_rest, double rate_hz,
+              SensorErrors& errors) {
   const double of_step = std::sqrt(12.0) * rate_hz;  // Q = q dt / sqrt(12)
-  if (axis.noise && axis.noise->quantisation) {
+  if (at_rest && axis.noise && axis.noise->quantisation) {
     place.put(&SensorErrors::quantisation, scaled(*axis.noise->quantisation, of_step));
     errors.quantisation_carried = true;
   } else if (axis.step) {
@@ -118,7 +120,7 @@ MeasuredGrade grade_of(const DeviceFigures& figures) {
       const auto& axis = of.axes[i];
       if (!axis) continue;
       const Place place(grade, quantity, i);
-      put_step(place, *axis, rate_hz, grade.value.*quantity);
+      put_step(place, *axis, of.steady(), rate_hz, grade.value.*quantity);
       if (!timed || !of.steady()) continue;
       if (axis->noise) put_noise(place, *axis, of.quantity, rate_hz);
       if (of.quantity.name == "gyro") put_bias_at_rest(place, *axis);

@@ -88,10 +88,22 @@ TEST(BusStandardForm, NavSatFixKeepsPositionAndAccuracyAndNoFixIsEmpty) {
   EXPECT_NEAR(got.position.value().latitude_rad, 0.64, 1e-15);
   EXPECT_NEAR(got.position.value().longitude_rad, -2.12, 1e-15);
   EXPECT_EQ(got.ellipsoidal_height_m, -32.25);
-  EXPECT_EQ(got.horizontal_accuracy_m, 1.1);
+  EXPECT_NEAR(got.horizontal_accuracy_m.value(), 1.1, 1e-15);
   EXPECT_EQ(got.vertical_accuracy_m, 2.3);
   const auto none = loop.through(only_origin<GnssFix>(gnss));
   EXPECT_FALSE(none.position || none.ellipsoidal_height_m || none.horizontal_accuracy_m);
+}
+
+// GST with 0.3 m and 0.4 m is 0.5 m together, 0.125 m2 each.
+TEST(BusConversion, ANavSatFixHasHalfOfTheRadialVarianceInEachAxis) {
+  auto sent = only_origin<GnssFix>(gnss);
+  sent.horizontal_accuracy_m = 0.5;
+  sent.vertical_accuracy_m = 2;
+  NavSatFixMessage message{};
+  ASSERT_TRUE(fill(message, sent));
+  EXPECT_NEAR(message.position_covariance[0], 0.125, 1e-15);
+  EXPECT_NEAR(message.position_covariance[4], 0.125, 1e-15);
+  EXPECT_EQ(message.position_covariance[8], 4);
 }
 
 TEST(BusStandardForm, DepthSensorIsItsPressure) {

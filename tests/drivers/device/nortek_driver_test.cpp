@@ -27,8 +27,8 @@ TEST(NortekDriver, VelocityInTheBodyRangesAndNoAltitude) {
   EXPECT_NEAR(m.velocity->z(), 0.078, 1e-12);
   EXPECT_EQ(m.range_m[1], 7.02);
   EXPECT_FALSE(m.range_m[2] || m.altitude_m);
-  // 100 us on the wire. A Unix time in a double has an error below 1 us.
-  EXPECT_LT(std::chrono::abs(*m.origin.device_time - (1795262400s + 250ms)), 1us);
+  // The trigger and the 61.25 ms to the echo. A Unix time in a double has an error below 1 us.
+  EXPECT_LT(std::chrono::abs(*m.origin.device_time - (1795262400s + 250ms + 61'250us)), 1us);
 }
 
 TEST(NortekDriver, TheFigureOfMeritComesBeforeTheRigsSigma) {

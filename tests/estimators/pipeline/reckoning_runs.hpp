@@ -66,12 +66,13 @@ inline measurement::WaterSpeed log_speed(std::int64_t ms, double mps) {
   return speed;
 }
 
+/// `sigma_m`: of an axis.
 inline measurement::GnssFix fix(std::int64_t ms, const Vector3d& offset, double sigma_m = 2) {
   const auto place = frame::at_ned_offset(start, offset);
   measurement::GnssFix fix;
   fix.origin = origin(ms, gnss_device);
   fix.position = measurement::Geodetic{place.latitude_rad, place.longitude_rad};
-  fix.horizontal_accuracy_m = sigma_m;
+  fix.horizontal_accuracy_m = std::numbers::sqrt2 * sigma_m;
   return fix;
 }
 

@@ -12,7 +12,8 @@ namespace {
 Outcome two_points() {
   Outcome outcome;
   outcome.gathered.source = "a<b&c.mcap";
-  outcome.gathered.start = measurement::stamp_from_ns(1'795'248'000'000'000'000);
+  outcome.gathered.utc = outcome.gathered.start =
+      measurement::stamp_from_ns(1'795'248'000'000'000'000);
   smoothing::TrackPoint point;
   point.position = {M_PI / 5, 129 * M_PI / 180, -12.5};  // 36 degrees north
   point.velocity_ned = {1.5, 0, 0};

@@ -128,6 +128,29 @@ TEST_F(TrackOfARun, OfGnssAloneIsTheAntennasWayWithoutAHeading) {
   EXPECT_NE(text.find("its heading is not known"), std::string::npos) << text;
 }
 
+/// RMC tells the date; the clock of the capture is a time of day.
+TEST_F(TrackOfARun, OfAReceiverHasTheUtcThatItTells) {
+  TrackOptions options;
+  options.source.capture = file("rmc.nmea");
+  options.source.protocol = "nmea0183";
+  options.source.kind = "gnss";
+  std::ofstream(options.source.capture)
+      << "$GPRMC,235950.00,A,4130.0,N,07042.0,W,3.9,0.0,020324,,,A*4E\r\n"
+         "$GPRMC,235951.00,A,4130.0,N,07042.0,W,3.9,0.0,020324,,,A*4F\r\n"
+         "$GPRMC,235952.00,A,4130.0,N,07042.0,W,3.9,0.0,020324,,,A*4C\r\n"
+         "$GPRMC,235953.00,A,4130.0,N,07042.0,W,3.9,0.0,020324,,,A*4D\r\n"
+         "$GPRMC,235954.00,A,4130.0,N,07042.0,W,3.9,0.0,020324,,,A*4A\r\n"
+         "$GPRMC,235955.00,A,4130.0,N,07042.0,W,3.9,0.0,020324,,,A*4B\r\n"
+         "$GPRMC,235956.00,A,4130.0,N,07042.0,W,3.9,0.0,020324,,,A*48\r\n"
+         "$GPRMC,235957.00,A,4130.0,N,07042.0,W,3.9,0.0,020324,,,A*49\r\n";
+  options.out = file("rmc.gpx");
+  const auto [code, text] = run(options);
+  ASSERT_EQ(code, 0) << text;
+  std::ifstream gpx(options.out);
+  const std::string written{std::istreambuf_iterator<char>(gpx), {}};
+  EXPECT_NE(written.find("<time>2024-03-02T23:59:50.000Z</time>"), std::string::npos) << written;
+}
+
 TEST_F(TrackOfARun, SaysWhyThereIsNoTrack) {
   TrackOptions options;
   options.part.only = {"depth"};
