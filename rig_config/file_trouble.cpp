@@ -10,6 +10,8 @@
 #include <fstream>
 #include <string_view>
 
+#include "drivers/wire/packed_content.hpp"
+
 namespace drydock::rig_config {
 
 namespace {
@@ -46,7 +48,12 @@ std::string file_trouble(const std::string& path) {
   if (std::filesystem::is_directory(status)) return "is a folder, not a file";
   if (!std::filesystem::is_regular_file(status)) return "";
   errno = 0;
-  if (!std::ifstream(path)) return std::strerror(errno);
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return std::strerror(errno);
+  std::array<char, 8> head{};
+  in.read(head.data(), head.size());
+  const auto packed = wire::packed_content({head.data(), static_cast<std::size_t>(in.gcount())});
+  if (!packed.empty()) return std::string(packed);
   return std::filesystem::file_size(path, error) == 0 && !error ? "is empty" : "";
 }
 

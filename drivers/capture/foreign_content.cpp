@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "drivers/wire/packed_content.hpp"
+
 namespace drydock::capture {
 namespace {
 
@@ -10,14 +12,7 @@ struct Sign {
   std::string_view magic, advice;
 };
 
-constexpr std::array<Sign, 10> signs{{
-    {"\x1F\x8B", "it is compressed: unpack it first with gunzip -k"},
-    {"\x28\xB5\x2F\xFD", "it is compressed: unpack it first with unzstd"},
-    {"\xFD"
-     "7zXZ",
-     "it is compressed: unpack it first with unxz -k"},
-    {"BZh", "it is compressed: unpack it first with bunzip2 -k"},
-    {"PK\x03\x04", "it is an archive: unpack it first with unzip"},
+constexpr std::array<Sign, 5> signs{{
     {"\x89MCAP", "it is an MCAP recording: drydock info and drydock replay read it"},
     {"MDF     ",
      "it is ASAM's MF4, which is not read: export asc or blf with the program of its logger"},
@@ -38,6 +33,7 @@ constexpr std::string_view other_packets =
 
 std::string_view foreign_content(wire::Bytes head) {
   const std::string_view text{reinterpret_cast<const char*>(head.data()), head.size()};
+  if (const auto packed = wire::packed_content(text); !packed.empty()) return packed;
   const auto* found = std::find_if(signs.begin(), signs.end(),
                                    [&](const Sign& sign) { return text.starts_with(sign.magic); });
   if (found != signs.end()) return found->advice;

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "drivers/capture/foreign_content.hpp"
+#include "drivers/wire/packed_content.hpp"
+#include "drivers/wire/text_fields.hpp"
 
 namespace drydock::capture {
 
@@ -29,6 +31,11 @@ FrameCapture::FrameCapture(const Format* format)
 void FrameCapture::feed(Bytes block) {
   buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(at_));
   at_ = 0;
+  if (buffer_.empty() && tally_.units == 0)
+    if (const auto packed = wire::packed_content(wire::as_text(block)); !packed.empty()) {
+      unknown_ = true;
+      advice_ = packed;
+    }
   if (unknown_) return;
   const bool magic_was_short = buffer_.size() < longest_magic;
   buffer_.insert(buffer_.end(), block.begin(), block.end());

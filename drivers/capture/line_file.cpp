@@ -6,6 +6,9 @@
 #include <cstring>
 #include <filesystem>
 
+#include "drivers/wire/packed_content.hpp"
+#include "drivers/wire/text_fields.hpp"
+
 namespace drydock::capture {
 namespace {
 
@@ -35,6 +38,7 @@ LineFile::LineFile(const std::string& file, bool raw, std::string interface)
 bool LineFile::begin() {
   begun_ = true;
   first_ = blocks_.read();
+  if (!raw_) packed_ = wire::packed_content(wire::as_text(first_));
   if (raw_ || !PacketLines::recognises(first_)) return false;
   packets_.emplace(first_);
   buffer_.assign(first_.begin(), first_.end());
@@ -55,6 +59,7 @@ void LineFile::choose() {
 std::optional<LineFile::Read> LineFile::next() {
   const bool at_start = !begun_;
   if (at_start) begin();
+  if (!packed_.empty()) return {};
   if (packets_) return next_packet();
   for (bool at_first = at_start;; at_first = false) {
     if (const auto part = next_part()) return part;
@@ -110,6 +115,7 @@ std::vector<PacketLines::Line> LineFile::lines() const {
 
 std::string LineFile::trouble() const {
   if (blocks_.error() != 0) return "cannot read " + file_ + ": " + std::strerror(blocks_.error());
+  if (!packed_.empty()) return fmt::format("{}: {}", file_, packed_);
   if (!packets_ || interface_ == "*") return "";
   const auto found = lines();
   const std::string_view kind =

@@ -35,8 +35,8 @@ class LineFile {
   std::vector<PacketLines::Line> lines() const;
   std::string note() const { return content_.note(); }  ///< as ByteContent::note()
   int error() const { return blocks_.error(); }         ///< errno; 0: none
-  /// Empty, or why there are no bytes: the file cannot be read, or it holds several lines and none
-  /// was chosen.
+  /// Empty, or why there are no bytes: the file cannot be read, it is compressed, or it holds
+  /// several lines and none was chosen.
   std::string trouble() const;
   /// As PacketLines::damage(), of what was read of this line.
   std::string damage() const { return damage(interface_); }
@@ -65,7 +65,8 @@ class LineFile {
   std::vector<std::uint8_t> buffer_;  ///< of a file of packets: blocks that are not read yet
   std::size_t at_ = 0;
   Bytes first_;
-  Bytes block_;                           ///< of a file of bytes: the content of a block
+  std::string_view packed_;  ///< what to do with a file that is compressed; empty: it is not
+  Bytes block_;              ///< of a file of bytes: the content of a block
   std::size_t part_ = 0, part_from_ = 0;  ///< its next part with a time
   std::optional<std::chrono::nanoseconds> last_time_;
 };

@@ -42,7 +42,7 @@ constexpr auto table = std::to_array<CauseFacts>({
     {Cause::silent, "silent", k_silent, "the port is open and nothing comes", "look at the sensor's power and cable", true},
     {Cause::port_lost, "port-lost", k_port_lost, "the port hangs up or cannot be opened", "look at the adapter and its plug; `drydock doctor` lists the ports", true},
     {Cause::damaged, "damaged", k_damaged, "frames arrive damaged", "look at the cable, its length and its ground; try a lower baud rate"},
-    {Cause::foreign_bytes, "garbage", k_foreign, "bytes that belong to no frame come between sound frames", "does another device or a console talk on this line?"},
+    {Cause::foreign_bytes, "garbage", k_foreign, "bytes come that belong to no frame", "does another device or a console talk on this line, or does the sensor wait at its prompt?"},
     {Cause::wrong_baud, "wrong-baud", k_wrong_baud, "bytes come and none makes sense", "`drydock probe` finds rate and protocol", true},
     {Cause::bus_off, "bus-off", k_bus_off, "this computer's CAN controller left the bus", "look at termination and bit rate; set restart-ms", true},
     {Cause::error_frames, "error-frames", k_error_frames, "the CAN controller sees errors on the bus", "look at termination, ground and bit rate"},

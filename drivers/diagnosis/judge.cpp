@@ -13,6 +13,7 @@ std::chrono::milliseconds memory_of(Sign sign) {
     case Sign::silent:
     case Sign::port_lost:
     case Sign::nothing_decodes:
+    case Sign::prompts:
     case Sign::bus_off:
     case Sign::bus_taken:
     case Sign::address_taken:

@@ -45,7 +45,8 @@ std::string_view to_string(Sign sign) {
                                                           "satellites gone",
                                                           "signals changed",
                                                           "heat",
-                                                          "reported errors"});
+                                                          "reported errors",
+                                                          "text without a frame"});
   static_assert(names.size() == sign_count);
   return names[static_cast<std::size_t>(sign)];
 }

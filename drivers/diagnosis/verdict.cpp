@@ -26,6 +26,7 @@ constexpr auto rules = std::to_array<Rule>({
     {Sign::bus_off, Cause::bus_off, 0.95},
     {Sign::heat, Cause::hot, 0.95},
     {Sign::nothing_decodes, Cause::wrong_baud, 0.9},
+    {Sign::prompts, Cause::foreign_bytes, 0.9},
     {Sign::bus_taken, Cause::bus_load, 0.9},
     {Sign::error_frames, Cause::error_frames, 0.9},
     {Sign::silent, Cause::silent, 0.9, {}, long_silence},

@@ -142,8 +142,9 @@ void RigRecorder::tick(Stamp now) {
   recorder_.tick(now);
   if (told_ || !failed()) return;
   told_ = true;
-  fmt::print(stderr, "recording to {} has failed: {}; the drivers go on without\n", path_,
-             recorder_.status().error.message());
+  const auto status = recorder_.status();
+  fmt::print(stderr, "recording to {} has failed: {}; the drivers go on without\n",
+             status.failed_file.empty() ? path_ : status.failed_file, status.error.message());
 }
 
 std::string RigRecorder::finish() {
@@ -151,7 +152,8 @@ std::string RigRecorder::finish() {
   const auto error = recorder_.finish();
   const auto status = recorder_.status();
   if (error)
-    return fmt::format("recording {}: {} messages, then: {}; {} lost", path_, status.messages,
+    return fmt::format("recording {}: {} messages, then: {}; {} lost",
+                       status.failed_file.empty() ? path_ : status.failed_file, status.messages,
                        error.message(), status.lost);
   std::string files = path_;
   if (status.files > 1) files += fmt::format(" and {} more", status.files - 1);

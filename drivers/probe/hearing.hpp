@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <vector>
 
 #include "drivers/link/clock.hpp"
 #include "drivers/survey/byte_survey.hpp"
@@ -18,6 +19,7 @@ struct Hearing {
       : eight(named, known), even(named, known), odd(named, known) {}
 
   survey::ByteSurvey eight, even, odd;
+  std::vector<std::uint8_t> head;  ///< the first bytes: they may be those of a gateway's log
   /// A burst began after silence and has ended: its messages were heard completely.
   bool whole_burst = false;
   bool from_silence = true;
@@ -28,6 +30,9 @@ struct Hearing {
     if (burst == 0) from_silence = eight.bytes() == 0 || at - last_byte > silence;
     burst += bytes.size();
     last_byte = at;
+    constexpr std::size_t enough = 4096;
+    const auto more = bytes.first(std::min(bytes.size(), enough - std::min(enough, head.size())));
+    head.insert(head.end(), more.begin(), more.end());
     eight.feed(bytes, at);
     if (!seven_too) return;
     even.feed(survey::seven_bits(bytes, false), at);

@@ -43,7 +43,7 @@ bool search(const ProbeOptions& options, const link::Uri& uri, std::FILE* err,
   Progress progress(err);
   const Stamp start = link::steady_now();
   const LineSearch wanted{report.link, start + measurement::from_seconds(options.duration_s),
-                          options.ask, options.descriptions, options.shipped};
+                          options.ask, options.descriptions};
   const bool opened = uri.carries() == Carries::bytes ? search_line(wanted, ear, progress, report)
                                                       : search_bus(wanted, ear, progress, report);
   report.listened_s = measurement::seconds(link::steady_now() - start);
@@ -62,12 +62,16 @@ void note_nothing(const link::Uri& uri, ProbeReport& report) {
   std::uint64_t bytes = 0;
   for (const auto& attempt : report.attempts) bytes += attempt.bytes;
   if (report.attempts.empty()) return;
-  report.notes.push_back(
-      bytes == 0
-          ? "silence: no power, receive and transmit exchanged, or a sensor that waits to be "
-            "asked (--ask)"
-          : "bytes, but no protocol that we know: a rate not tried, RS-422 with A and B "
-            "exchanged, or another protocol");
+  if (bytes == 0)
+    report.notes.emplace_back(
+        "silence: no power, receive and transmit exchanged, or a sensor that waits to be asked "
+        "(--ask)");
+  else if (uri.scheme == link::Scheme::serial)
+    report.notes.emplace_back(
+        "bytes, but no protocol that we know: a rate not tried, RS-422 with A and B exchanged, or "
+        "another protocol");
+  else
+    report.notes.emplace_back("bytes, but no protocol that we know");
 }
 
 }  // namespace

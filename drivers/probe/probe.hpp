@@ -16,9 +16,9 @@ struct ProbeOptions {
   double duration_s = 30;
   bool ask = false;   ///< may write to the wire: docs/pier/probe.md lists the questions
   bool json = false;  ///< one JSON object
-  /// Protocols that files describe, tried beside those of the registry: those that the user named,
-  /// and those of the program, which byte lines are tried for.
-  std::vector<std::shared_ptr<const wire::described::Description>> descriptions{}, shipped{};
+  /// Protocols that the user's files describe, tried beside those of the registry. Byte lines are
+  /// also tried for those that the program contains.
+  std::vector<std::shared_ptr<const wire::described::Description>> descriptions{};
 };
 
 /// `drydock probe LINK`: finds the protocol, its rate and the sensors, and prints the `[[device]]`

@@ -14,7 +14,7 @@ void visit_fields(const MessageCount& m, F&& field) {
 }
 
 template <class F>
-void visit_fields(const UnreadCount& u, F&& field) {
+void visit_fields(const NameCount& u, F&& field) {
   field("name", u.name);
   field("count", u.count);
 }

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 
+#include "drivers/capture/frame_capture.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/probe/hearing.hpp"
 #include "drivers/terminal/terminal_screen.hpp"
 #include "drivers/wire/ubx/ubx_frame.hpp"
+#include "rig_config/device_description/load_description.hpp"
 
 namespace drydock::probe {
 namespace {
@@ -58,6 +60,18 @@ std::vector<std::uint8_t> questions() {
   return all;
 }
 
+/// A gateway of NMEA 2000 sends its frames as lines of text, which are read from files alone.
+std::string gateway_note(wire::Bytes head, const std::string& link) {
+  capture::FrameCapture frames;
+  frames.feed(head);
+  frames.finish();
+  if (!frames.next() || frames.format() == nullptr) return {};
+  return fmt::format(
+      "{} sends CAN frames as text ({}), as a gateway does; no link reads them live: write what it "
+      "sends into a file, with nc or socat, and probe or replay that",
+      link, frames.format()->name);
+}
+
 std::string found_so_far(const Hearing& hearing) {
   const auto best = hearing.eight.best();
   if (best.confidence == survey::Confidence::nothing)
@@ -73,7 +87,7 @@ class Attempt {
       : search_(search),
         setting_(setting),
         serial_(serial),
-        hearing_(search.descriptions, search.shipped) {}
+        hearing_(search.descriptions, rig_config::shipped_descriptions()) {}
 
   std::optional<link::OpenError> run(Ear& ear, Progress& progress, bool may_leave) {
     const auto uri = link::parse_uri(uri_with(8)).value();
@@ -109,6 +123,8 @@ class Attempt {
     if (bits == 7) heard.parity = is_odd ? 'O' : 'E';
     const auto& survey = is_odd ? hearing_.odd : is_even ? hearing_.even : hearing_.eight;
     if (!note_.empty()) report.notes.push_back(note_);
+    if (auto gateway = gateway_note(hearing_.head, search_.link); !gateway.empty())
+      report.notes.push_back(std::move(gateway));
     note_line(survey, serial_ ? in_words(heard, bits) : "",
               serial_ ? with_keys(search_.link, heard, bits) : search_.link, report);
   }
@@ -165,14 +181,11 @@ void Progress::show(const std::string& text) {
 void note_line(const survey::ByteSurvey& survey, const std::string& setting,
                const std::string& link, ProbeReport& report) {
   LineAttempt attempt{setting, link, survey.bytes(), survey.findings()};
-  for (const auto& finding : attempt.findings) {
-    if (&finding != &attempt.findings.front()) break;
-    for (const auto& sensor : finding.sensors)
-      report.devices.push_back(
-          {"", sensor.kind, std::string(finding.protocol), link, sensor.rate_hz, 0});
-    if (finding.protocol == "slcan")
-      report.notes.push_back("a serial CAN adapter that is open: probe slcan:" + link);
-  }
+  for (const auto& sensor : survey::sensors_of(attempt.findings))
+    report.devices.push_back({"", sensor.kind, std::string(sensor.protocol), link, sensor.rate_hz,
+                              0, sensor.description});
+  if (!attempt.findings.empty() && attempt.findings.front().protocol == "slcan")
+    report.notes.push_back("a serial CAN adapter that is open: probe slcan:" + link);
   survey::name_devices(report.devices);
   report.attempts.push_back(std::move(attempt));
 }

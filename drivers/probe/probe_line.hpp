@@ -28,7 +28,6 @@ struct LineSearch {
   link::Stamp until{};
   bool ask = false;
   survey::ByteSurvey::Descriptions descriptions{};  ///< that the user named
-  survey::ByteSurvey::Descriptions shipped{};       ///< of the program
 };
 
 /// Listens on a byte line. It uses the settings of the URI; without them it tries one setting after

@@ -14,6 +14,7 @@
 #include "drivers/probe/probe_line.hpp"
 #include "drivers/probe/unknown_file.hpp"
 #include "drivers/shell/recording_clock.hpp"
+#include "rig_config/device_description/load_description.hpp"
 
 namespace drydock::probe {
 namespace {
@@ -76,15 +77,13 @@ constexpr double shortest_s = 0.5;  // what came at once tells no rate
 
 /// The rates of a line's sensors: by the times of arrival that the capture keeps, else by the
 /// device's own clock, else none.
-void note_times(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
+void note_times(const link::Uri& uri, ProbeReport& report) {
   for (auto& found : report.devices) {
     if (found.link != uri.text) continue;
     device::DriverOptions driver;
     driver.kind = found.kind;
     driver.protocol = found.protocol;
-    for (const auto* list : {&options.shipped, &options.descriptions})
-      for (const auto& description : *list)
-        if (description->name == found.protocol) driver.description = description;
+    driver.description = found.description;
     const auto clock = shell::clock_of(uri, driver, device::Travels::as_bytes);
     if (clock.pace != shell::Pace::arrival || report.listened_s < shortest_s)
       found.rate_hz = clock.usual_rate_hz();
@@ -98,7 +97,7 @@ void note_times(const link::Uri& uri, const ProbeOptions& options, ProbeReport& 
 bool read_line(const link::Uri& uri, const ProbeOptions& options, ProbeReport& report) {
   capture::LineFile line(uri.target, uri.text_of("format") == "raw",
                          std::string(uri.text_of("interface")));
-  survey::ByteSurvey survey(options.descriptions, options.shipped);
+  survey::ByteSurvey survey(options.descriptions, rig_config::shipped_descriptions());
   std::optional<std::chrono::nanoseconds> first, last;
   while (const auto read = line.next()) {
     if (!first) first = read->time;
@@ -116,7 +115,7 @@ bool read_line(const link::Uri& uri, const ProbeOptions& options, ProbeReport& r
     if (!note.empty() && std::ranges::find(report.recording, note) == report.recording.end())
       report.recording.push_back(std::move(note));
   note_line(survey, std::string(uri.text_of("interface")), uri.text, report);
-  note_times(uri, options, report);
+  note_times(uri, report);
   return true;
 }
 
@@ -159,8 +158,8 @@ bool read_bytes(const link::Uri& uri, const ProbeOptions& options, ProbeReport& 
     return false;
   }
   const auto advice = capture::foreign_content(capture::FileBlocks(uri.target).read());
-  if (!advice.empty()) report.notes.emplace_back(advice);
   if (!read_line(uri, options, report)) return false;
+  if (!advice.empty()) report.notes.emplace_back(advice);
   if (advice.empty() && report.attempts.back().findings.empty())
     report.notes.push_back(what_it_may_be(uri.target, raw));
   return true;

@@ -18,6 +18,28 @@ std::string rate_text(std::optional<double> rate_hz) {
   return rate_hz ? fmt::format(" at {:.3g} Hz", *rate_hz) : std::string();
 }
 
+void print_finding(const survey::ByteFinding& found, std::string_view of, std::FILE* out) {
+  fmt::print(out, "  {}: {} ({}): {}\n", of, found.protocol, to_string(found.confidence),
+             survey::reasons(found));
+}
+
+void print_messages(const survey::ByteFinding& found, std::FILE* out) {
+  for (const auto& m : found.messages)
+    fmt::print(out, "    {:<10} {:>6}{}\n", m.type, m.count, rate_text(m.rate_hz));
+}
+
+/// The findings that make devices: the first, and others that read what it passes over.
+std::vector<const survey::ByteFinding*> used_findings(const LineAttempt& attempt) {
+  const auto sensors = survey::sensors_of(attempt.findings);
+  std::vector<const survey::ByteFinding*> used{&attempt.findings.front()};
+  for (const auto& finding : attempt.findings)
+    if (used.front() != &finding &&
+        std::ranges::find(sensors, finding.protocol, &survey::SensorHeard::protocol) !=
+            sensors.end())
+      used.push_back(&finding);
+  return used;
+}
+
 void print_attempt(const LineAttempt& attempt, bool in_full, std::FILE* out) {
   const std::string setting = attempt.setting.empty() ? "the line" : attempt.setting;
   if (attempt.findings.empty()) {
@@ -25,13 +47,18 @@ void print_attempt(const LineAttempt& attempt, bool in_full, std::FILE* out) {
     return;
   }
   const auto& best = attempt.findings.front();
-  fmt::print(out, "  {}: {} ({}): {}\n", setting, best.protocol, to_string(best.confidence),
-             survey::reasons(best));
+  print_finding(best, setting, out);
   if (!in_full) return;
-  for (const auto& m : best.messages)
-    fmt::print(out, "    {:<10} {:>6}{}\n", m.type, m.count, rate_text(m.rate_hz));
+  print_messages(best, out);
+  const auto used = used_findings(attempt);
+  for (const auto* other : used) {
+    if (other == &best) continue;
+    print_finding(*other, "and of the same bytes", out);
+    print_messages(*other, out);
+  }
   for (const auto& u : best.unread)
-    fmt::print(out, "    {:<10} {:>6}, not used\n", u.name, u.count);
+    if (std::ranges::none_of(used, [&](const auto* one) { return has_name(one->read, u.name); }))
+      fmt::print(out, "    {:<10} {:>6}, not used\n", u.name, u.count);
 }
 
 std::string device_type_text(std::uint32_t device_type) {

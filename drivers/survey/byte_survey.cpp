@@ -33,7 +33,7 @@ bool proves([[maybe_unused]] const P& codec, [[maybe_unused]] wire::Bytes frame,
 }
 
 constexpr std::uint64_t enough_proofs = 5;
-constexpr std::size_t most_unread = 16;
+constexpr std::size_t most_names = 32;
 constexpr double nearly_all = 0.9, half = 0.5;
 
 Confidence judge(const ByteFinding& f) {
@@ -85,6 +85,7 @@ class CandidateOf final : public ByteCandidate {
       f.messages_total += arrivals.count;
     }
     f.unread = unread_;
+    f.read = read_;
     for (const auto& trial : trials_)
       if (trial->measurements() > 0) f.sensors.push_back(trial->heard());
     f.confidence = judge(f);
@@ -100,19 +101,17 @@ class CandidateOf final : public ByteCandidate {
       const auto message = codec_.decode(frame);
       if (proves(codec_, frame, message) && proofs_++ == 0)
         skipped_before_ = framer_->counters().bytes_skipped;  // bytes before the first good frame
-      if (message)
-        std::visit([&](const auto& m) { note(m.type, arrival.read_at); }, *message);
-      else
-        note_unread(frame);
+      if (message) std::visit([&](const auto& m) { note(m.type, arrival.read_at); }, *message);
+      count_name(message ? read_ : unread_, frame);
     };
   }
 
-  void note_unread(wire::Bytes frame) {
+  static void count_name(std::vector<NameCount>& names, wire::Bytes frame) {
     const auto name = wire::frame_name_of<P>(frame);
-    auto known = std::ranges::find(unread_, name, &UnreadCount::name);
-    if (known == unread_.end()) {
-      if (unread_.size() == most_unread) return;
-      known = unread_.insert(known, {name, 0});
+    auto known = std::ranges::find(names, name, &NameCount::name);
+    if (known == names.end()) {
+      if (names.size() == most_names) return;
+      known = names.insert(known, {name, 0});
     }
     ++known->count;
   }
@@ -127,7 +126,7 @@ class CandidateOf final : public ByteCandidate {
   std::unique_ptr<device::TimedFramer<P::max_frame>> framer_;
   std::vector<std::unique_ptr<DriverTrial>> trials_;
   std::vector<std::pair<std::string_view, Arrivals>> heard_;  ///< in order of first arrival
-  std::vector<UnreadCount> unread_;
+  std::vector<NameCount> unread_, read_;
   std::uint64_t proofs_ = 0, skipped_before_ = 0;
   std::uint64_t lent_ = 0, lent_good_ = 0;  ///< bytes that finish() added
   Stamp last_{};
@@ -143,6 +142,17 @@ bool better(const ByteFinding& a, const ByteFinding& b) {
   return a.messages_total > b.messages_total;
 }
 
+bool has_all(const std::vector<NameCount>& names, const std::vector<NameCount>& wanted) {
+  return !wanted.empty() && std::ranges::all_of(wanted, [&](const NameCount& one) {
+    return has_name(names, one.name);
+  });
+}
+
+/// Few frames among many of other protocols prove a sensor too.
+bool is_proved(const ByteFinding& f) {
+  return f.confidence >= Confidence::likely || f.proofs >= enough_proofs;
+}
+
 }  // namespace
 
 std::string_view to_string(Confidence confidence) {
@@ -150,9 +160,34 @@ std::string_view to_string(Confidence confidence) {
   return names[static_cast<std::size_t>(confidence)];
 }
 
+bool has_name(const std::vector<NameCount>& names, std::string_view name) {
+  return std::ranges::find(names, name, &NameCount::name) != names.end();
+}
+
 std::string reasons(const ByteFinding& f) {
   return fmt::format("{} good frames, {} bad; {:.0f} % of {} bytes explained", f.proofs,
                      f.bad_checksums, 100 * f.explained(), f.bytes);
+}
+
+std::vector<SensorHeard> sensors_of(const std::vector<ByteFinding>& findings) {
+  std::vector<SensorHeard> sensors;
+  std::vector<const ByteFinding*> of;  // the finding of each sensor
+  for (const auto& finding : findings) {
+    if (&finding != findings.data() && !is_proved(finding)) continue;
+    const auto says_the_same = [&](const SensorHeard& sensor) {
+      for (std::size_t i = 0; i < sensors.size(); ++i)
+        if (of[i] != &finding && sensors[i].kind == sensor.kind &&
+            !has_all(of[i]->unread, finding.read))
+          return true;
+      return false;
+    };
+    for (const auto& sensor : finding.sensors) {
+      if (says_the_same(sensor)) continue;
+      sensors.push_back(sensor);
+      of.push_back(&finding);
+    }
+  }
+  return sensors;
 }
 
 ByteSurvey::ByteSurvey(const Descriptions& named, const Descriptions& known) {
@@ -173,7 +208,17 @@ void ByteSurvey::add(const Descriptions& descriptions) {
 
 void ByteSurvey::feed(wire::Bytes bytes, Stamp at) {
   bytes_ += bytes.size();
+  note_text(bytes);
   for (auto& candidate : candidates_) candidate->feed(bytes, at);
+}
+
+void ByteSurvey::note_text(wire::Bytes bytes) {
+  constexpr std::size_t most = 40;
+  for (const std::uint8_t byte : bytes) {
+    const bool printed = byte >= 0x20 && byte <= 0x7E;
+    is_text_ = is_text_ && (printed || byte == '\r' || byte == '\n' || byte == '\t');
+    if (printed && text_.size() < most) text_.push_back(static_cast<char>(byte));
+  }
 }
 
 void ByteSurvey::finish() {
@@ -196,12 +241,13 @@ ByteFinding ByteSurvey::best() const {
 }
 
 bool ByteSurvey::settled() const {
-  const ByteFinding found = best();
-  return found.confidence == Confidence::certain && !found.sensors.empty() &&
-         std::ranges::all_of(found.sensors, [](const SensorHeard& s) {
-           constexpr std::uint64_t enough_for_a_rate = 8;
-           return s.measurements >= enough_for_a_rate && s.rate_hz.has_value();
-         });
+  const auto found = findings();
+  if (found.empty() || found.front().confidence != Confidence::certain) return false;
+  const auto sensors = sensors_of(found);
+  return !sensors.empty() && std::ranges::all_of(sensors, [](const SensorHeard& s) {
+    constexpr std::uint64_t enough_for_a_rate = 8;
+    return s.measurements >= enough_for_a_rate && s.rate_hz.has_value();
+  });
 }
 
 std::vector<std::uint8_t> seven_bits(wire::Bytes eight, bool odd) {

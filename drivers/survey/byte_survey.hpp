@@ -25,11 +25,13 @@ struct MessageCount {
   std::optional<double> rate_hz;  ///< empty for a single message, or without times
 };
 
-/// Valid frames of one name that the codec does not read: "$SDDPT".
-struct UnreadCount {
+/// Valid frames of one name: "$SDDPT".
+struct NameCount {
   std::string name;
   std::uint64_t count = 0;
 };
+
+bool has_name(const std::vector<NameCount>& names, std::string_view name);
 
 /// The result of one protocol on the line.
 struct ByteFinding {
@@ -41,7 +43,8 @@ struct ByteFinding {
   std::uint64_t bytes_good = 0;  ///< those within frames
   std::uint64_t messages_total = 0;
   std::vector<MessageCount> messages;  ///< in order of first arrival
-  std::vector<UnreadCount> unread;     ///< the first 16 names, in order of first arrival
+  std::vector<NameCount> unread;       ///< frames that give no message: the first 32 names
+  std::vector<NameCount> read;         ///< frames that give messages: the first 32 names
   std::vector<SensorHeard> sensors;    ///< drivers that decoded measurements
 
   double explained() const {
@@ -51,6 +54,11 @@ struct ByteFinding {
 
 /// `12 good frames, 0 bad; 98 % of 1204 bytes explained`.
 std::string reasons(const ByteFinding& finding);
+
+/// The sensors of a line, of findings in their order. Behind those of the first stand those that
+/// another protocol makes of the same line: a kind that was not there yet, or one of frames that
+/// the protocol before passes over.
+std::vector<SensorHeard> sensors_of(const std::vector<ByteFinding>& findings);
 
 /// Tries one protocol on the line.
 class ByteCandidate {
@@ -75,6 +83,8 @@ class ByteSurvey {
   void finish();  ///< no more bytes will come
 
   std::uint64_t bytes() const { return bytes_; }
+  /// The first characters of a line that was all text so far; empty: it was not.
+  std::string_view text() const { return is_text_ ? std::string_view(text_) : std::string_view(); }
   /// All protocols that found anything, the best first: most bytes explained, then most messages
   /// understood.
   std::vector<ByteFinding> findings() const;
@@ -86,9 +96,12 @@ class ByteSurvey {
 
  private:
   void add(const Descriptions& descriptions);
+  void note_text(wire::Bytes bytes);
 
   std::vector<std::unique_ptr<ByteCandidate>> candidates_;
   std::uint64_t bytes_ = 0;
+  std::string text_;
+  bool is_text_ = true;
 };
 
 /// Converts bytes read as 8 bits without parity to the 7 data bits of a line with parity. The

@@ -96,11 +96,12 @@ void DriverTrial::on_measurement(const measurement::Measurement& measurement) {
 
 SensorHeard DriverTrial::heard() const {
   const auto& description = device_->options().driver.description;
-  if (description) return {kind(), description->name, measurements_, device_->health(now_).rate_hz};
+  if (description)
+    return {kind(), description->name, measurements_, device_->health(now_).rate_hz, description};
   // Names in the registry have static storage; the device's own copy ends with the trial.
   const auto known = device::protocols_of(kind());
   const auto name = std::ranges::find(known, protocol(), &device::ProtocolEntry::name)->name;
-  return {kind(), name, measurements_, device_->health(now_).rate_hz};
+  return {kind(), name, measurements_, device_->health(now_).rate_hz, {}};
 }
 
 double DriverTrial::plausible_share() const {

@@ -20,6 +20,7 @@ struct SensorHeard {
   std::uint64_t measurements = 0;
   /// Rate of its fastest kind of measurement. Empty if there are too few, or without times.
   std::optional<double> rate_hz;
+  wire::described::DescriptionPtr description{};  ///< of a protocol that a file describes
 };
 
 /// Tries a sensor's driver on the data of a wire: does it give measurements, and are they

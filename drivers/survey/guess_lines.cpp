@@ -10,6 +10,7 @@
 #include "drivers/survey/guess.hpp"
 #include "drivers/survey/left_out.hpp"
 #include "drivers/survey/line_form_text.hpp"
+#include "drivers/survey/longest_line.hpp"
 #include "drivers/survey/pattern_text.hpp"
 
 /// Lines that no checksum proves: those that differ in their numbers alone are one message, and its
@@ -53,9 +54,10 @@ std::vector<LineForm> merged(const Forms& forms) {
   return all;
 }
 
-LinesGuess forms_text(const Forms& forms, LeftOut& left_out, char point) {
+LinesGuess forms_text(const Forms& forms, LeftOut& left_out, char point,
+                      const std::string& size_key) {
   std::size_t described = 0;
-  std::string out = "\n[protocol]\n# lines without a checksum\n";
+  std::string out = "\n[protocol]\n# lines without a checksum\n" + size_key;
   if (point == ',') out += "decimal = \",\"\n";
   std::vector<std::string> heads;
   for (const LineForm& form : merged(forms)) {
@@ -91,8 +93,8 @@ LinesGuess guess_lines(const std::vector<std::string_view>& lines) {
     const LineCut cut = cut_at_numbers(line);
     forms[key_of(cut)].add(lines[i], cut);
   }
-  return forms.size() * 2 > lines.size() ? LinesGuess()
-                                         : forms_text(forms, left_out, commas ? ',' : '.');
+  if (forms.size() * 2 > lines.size()) return {};
+  return forms_text(forms, left_out, commas ? ',' : '.', longest_key(lines));
 }
 
 }  // namespace drydock::survey

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "drivers/survey/left_out.hpp"
+#include "drivers/survey/longest_line.hpp"
 #include "drivers/survey/sentence_forms.hpp"
 #include "drivers/wire/text_fields.hpp"
 
@@ -163,6 +164,7 @@ std::string guess_sentences(const std::vector<std::string_view>& lines, const Li
   if (forms.empty()) return {};
   std::string out = fmt::format("\n[protocol]\nchecksum = \"{}\"\n", sum.checksum);
   if (sum.from == 0 && sum.checksum != "none") out += "checksum_from = 0\n";
+  out += longest_key(lines);
   Names names;
   std::string_view before;
   for (const auto& [form, rows] : with_sub_ids(forms)) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drivers/device/driver_options.hpp"
+#include "drivers/wire/described/description.hpp"
 
 namespace drydock::survey {
 
@@ -14,9 +15,10 @@ struct FoundDevice {
   std::string name;  ///< unique among the devices found
   device::Kind kind = device::Kind::dvl;
   std::string protocol;
-  std::string link;               ///< a driver can open the link with this URI
-  std::optional<double> rate_hz;  ///< as measured
-  std::uint8_t address = 0;       ///< 0: the device has none, or any
+  std::string link;                               ///< a driver can open the link with this URI
+  std::optional<double> rate_hz;                  ///< as measured
+  std::uint8_t address = 0;                       ///< 0: the device has none, or any
+  wire::described::DescriptionPtr description{};  ///< of a protocol that a file describes
 };
 
 /// Measured rates scatter by a few percent. Gives the nearest integer if it is close enough,

@@ -70,11 +70,4 @@ rig_config::DescriptionPtr load_protocol(const std::string& protocol) {
   return *description;
 }
 
-std::vector<rig_config::DescriptionPtr> shipped_descriptions() {
-  std::vector<rig_config::DescriptionPtr> all;
-  for (const auto& [name, text] : rig_config::built_in_descriptions())
-    if (auto one = rig_config::load_description_text(text, std::string(name))) all.push_back(*one);
-  return all;
-}
-
 }  // namespace drydock::program

@@ -26,7 +26,4 @@ void add_faults(rig_config::Rig& rig, const std::string& path);
 /// name is of the registry. Throws BadRig for a description that cannot be used.
 rig_config::DescriptionPtr load_protocol(const std::string& protocol);
 
-/// Those that come with the program, whatever lies in the working folder.
-std::vector<rig_config::DescriptionPtr> shipped_descriptions();
-
 }  // namespace drydock::program

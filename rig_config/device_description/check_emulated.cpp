@@ -11,6 +11,15 @@ Problems check_emulated(const wire::described::Plan& plan, std::span<const Node>
   for (std::size_t i = 0; i < plan.messages.size(); ++i) {
     const wire::described::Message& message = plan.messages[i];
     const Node* word = tables[i].find("emulate");
+    const std::size_t size = message.emulated && plan.form == wire::described::Form::sentences
+                                 ? wire::described::bytes_written(plan, message)
+                                 : 0;
+    if (size > plan.longest)
+      problems.push_back({file, tables[i].at.line, tables[i].at.column,
+                          fmt::format("{}/{}", path, i),
+                          fmt::format("the emulated device would write {} bytes, and the longest "
+                                      "message has {}: 'longest' under [protocol] says more",
+                                      size, plan.longest)});
     if (!message.emulated || !word) continue;
     const std::string line = wire::described::line_not_read_back(plan, message);
     if (line.empty()) continue;

@@ -137,11 +137,30 @@ class FieldReader {
     if (constant) field_.type = Type::constant;
     read(table_, "text", field_.text);
     read_sign();
+    read_hex_bits();
+    read_before();
     read(table_, "optional", field_.optional);
     if (const Node* end = table_.find("ends")) {
       field_.end = end->text.empty() ? '\0' : end->text[0];
       field_.closed = field_.end != '\0' && field_.end != ' ';  // blanks may stand behind any text
     }
+  }
+
+  void read_hex_bits() {
+    const Node* bits = table_.find("bits");
+    if (!bits) return;
+    if (field_.type != Type::hex) return add(*bits, "only a number of type \"hex\" has bits");
+    read_bits(64);
+  }
+
+  void read_before() {
+    const Node* before = table_.find("before");
+    if (!before) return;
+    const bool number =
+        field_.type == Type::number || field_.type == Type::hex || field_.type == Type::hex_signed;
+    if (context_.groups || !number)
+      add(*before, "'before' is only for a number of fields in order; a pattern has the text");
+    read(table_, "before", field_.before);
   }
 
   void read_sign() {
@@ -194,7 +213,20 @@ class FieldReader {
       add(*table_.find("is"), fmt::format("{} has more than {} bits", field_.idle, bits));
   }
 
+  /// Latitude and longitude have steps of a centimetre, or those of a good receiver's minutes.
+  std::uint8_t usual_decimals() const {
+    const auto target = field_.target;
+    if (target != described::Target::latitude && target != described::Target::longitude)
+      return field_.decimals;
+    constexpr std::uint8_t of_minutes = 5;
+    constexpr double step_rad = 1.75e-9;
+    if (field_.notation.digits == described::Digits::degrees_minutes) return of_minutes;
+    return static_cast<std::uint8_t>(
+        std::clamp(std::ceil(-std::log10(step_rad / std::abs(field_.factor))), 0.0, 12.0));
+  }
+
   void read_emulated() {
+    field_.decimals = usual_decimals();
     if (const Node* decimals = table_.find("decimals"))
       field_.decimals = static_cast<std::uint8_t>(decimals->integer);
     if (const Node* width = table_.find("width"))

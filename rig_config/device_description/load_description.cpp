@@ -73,6 +73,16 @@ Loaded<DescriptionPtr> load_description(const std::string& path) {
   return text ? load_description_text(*text, path) : Loaded<DescriptionPtr>(text.error());
 }
 
+const std::vector<DescriptionPtr>& shipped_descriptions() {
+  static const auto all = [] {
+    std::vector<DescriptionPtr> read;
+    for (const auto& [name, text] : built_in_descriptions())
+      if (auto one = load_description_text(text, std::string(name))) read.push_back(*one);
+    return read;
+  }();
+  return all;
+}
+
 Loaded<DescriptionPtr> find_description(const std::string& name, const std::string& near) {
   const std::string path = beside(near, name);
   std::error_code error;

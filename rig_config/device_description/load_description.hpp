@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "drivers/wire/described/description.hpp"
 #include "rig_config/load.hpp"
@@ -25,5 +26,7 @@ struct BuiltInDescription {
   std::string_view name, text;
 };
 std::span<const BuiltInDescription> built_in_descriptions();
+/// All of them, read once.
+const std::vector<DescriptionPtr>& shipped_descriptions();
 
 }  // namespace drydock::rig_config

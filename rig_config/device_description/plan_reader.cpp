@@ -199,6 +199,7 @@ class PlanReader {
       description_.frames = frames_;
     } else {
       for (const Message& message : plan().messages) note_starts(message);
+      note_encapsulation();
       plan().texts = described::FlatTexts(plan());
       for (Problem& one : check_plan(plan(), messages.items, file_, path_))
         problems_.push_back(std::move(one));
@@ -218,6 +219,13 @@ class PlanReader {
       plan().starts[c] =
           plan().starts[c] || (any ? binary || (c > 0x20 && c < 0x7F)
                                    : c == static_cast<unsigned char>(message.head[0]));
+  }
+
+  /// On a line with sentences of NMEA 0183 those that begin with `!` have the same checksum.
+  void note_encapsulation() {
+    const bool sentences = plan().form == Form::sentences && plan().starts['$'];
+    if (sentences && plan().checksum.name() == "xor" && plan().checksum_from == 1)
+      plan().starts['!'] = true;
   }
 
   Plan& plan() { return description_.plan; }

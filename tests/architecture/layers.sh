@@ -29,7 +29,7 @@ drivers/text               drivers/wire drivers/measurement
 drivers/decode             drivers/text drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement
 drivers/doctor             drivers/terminal drivers/text drivers/link drivers/wire rig_config
 drivers/host               drivers/diagnosis drivers/shell drivers/device drivers/bus drivers/live drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
-drivers/probe              drivers/survey drivers/shell drivers/device drivers/doctor drivers/text drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement
+drivers/probe              drivers/survey drivers/shell drivers/device drivers/doctor drivers/text drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement rig_config/device_description/load_description
 drivers/monitor            drivers/survey drivers/doctor drivers/diagnosis drivers/host drivers/probe drivers/decode drivers/text drivers/shell drivers/device drivers/bus drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
 estimators/lanes
 estimators/frame           estimators/lanes drivers/measurement
@@ -47,7 +47,7 @@ estimators/consistency     estimators/frame drivers/diagnosis drivers/measuremen
 estimators/external        estimators/pipeline estimators/frame drivers/bus drivers/process drivers/text drivers/measurement rig_config/estimator/external
 estimators/setup           estimators/external estimators/pipeline drivers/bus estimators/vehicle estimators/frame drivers/measurement rig_config
 estimators/host            drivers/diagnosis estimators/consistency estimators/setup estimators/pipeline estimators/frame drivers/host drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
-rig_config                 drivers/wire/protocols drivers/wire/hex drivers/wire/described/description drivers/wire/described/frame_plan drivers/wire/dbc/database drivers/wire/dbc/reader drivers/wire/described/plan drivers/wire/described/targets drivers/wire/described/crc_line drivers/wire/described/read_back drivers/measurement/units drivers/measurement/kind drivers/measurement/sound_speed drivers/measurement/actuator_order
+rig_config                 drivers/wire/protocols drivers/wire/hex drivers/wire/packed_content drivers/wire/described/description drivers/wire/described/frame_plan drivers/wire/dbc/database drivers/wire/dbc/reader drivers/wire/described/plan drivers/wire/described/targets drivers/wire/described/crc_line drivers/wire/described/read_back drivers/measurement/units drivers/measurement/kind drivers/measurement/sound_speed drivers/measurement/actuator_order
 hil/report
 hil/ocean                  estimators/frame drivers/measurement rig_config
 hil/motion                 hil/ocean estimators/frame estimators/hydrodynamics estimators/vehicle drivers/measurement rig_config
@@ -72,7 +72,7 @@ hil/summary                hil/pilot/loop_account drivers/bus/device drivers/dia
 hil/control/request        drivers/live drivers/terminal
 hil/control                hil/control/request hil/fault hil/summary drivers/host drivers/bus drivers/live drivers/link drivers/io drivers/terminal rig_config
 hil/bench                  hil/pilot hil/pilot/real_time drivers/diagnosis hil/control hil/summary hil/report hil/fault hil/emulate hil/emulate/real_time hil/steer hil/steer/real_time hil/motion estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/monitor drivers/bus drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/measurement rig_config
-hil/check                  hil/pilot hil/fault hil/motion hil/ocean estimators/setup estimators/pipeline estimators/vehicle estimators/hydrodynamics drivers/shell drivers/link drivers/terminal drivers/measurement rig_config
+hil/check                  hil/pilot hil/fault hil/motion hil/ocean estimators/setup estimators/pipeline estimators/vehicle estimators/hydrodynamics drivers/shell drivers/link drivers/terminal drivers/wire/described/read_back drivers/measurement rig_config
 hil/replay/reference       drivers/recordings/record drivers/bus drivers/text
 hil/replay                 drivers/diagnosis drivers/decode hil/report hil/replay/reference hil/bench hil/motion hil/summary hil/fault estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/device drivers/recordings/record drivers/text drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 hil/diff                   hil/replay hil/summary hil/report drivers/text drivers/terminal rig_config

@@ -58,16 +58,16 @@ TEST(RigNames, ANameIsOneThatATopicCanHave) {
       << "a rig's own name is in no topic";
 }
 
-TEST(RigNames, AnAddressIsTakenOncePerBus) {
-  const std::string depth =
-      "[[device]]\nname = \"d1\"\nkind = \"depth\"\nprotocol = \"nmea2000\"\nlink = \"can:auto\"\n"
-      "address = 35\n";
-  const std::string actuators =
-      "[[device]]\nname = \"a1\"\nkind = \"actuator\"\nprotocol = \"nmea2000\"\n"
-      "link = \"can:auto\"\naddress = 35\n";
-  EXPECT_THAT(problems_of(depth + actuators),
-              ElementsAre("r.toml:19:11: /device/2/address: 35 is already the address of 'd1' on "
-                          "can:auto; each device on a bus needs its own"));
+TEST(RigNames, AnAddressIsTakenOncePerKindOnABus) {
+  const auto node = [](const std::string& name, const std::string& kind) {
+    return "[[device]]\nname = \"" + name + "\"\nkind = \"" + kind +
+           "\"\nprotocol = \"nmea2000\"\nlink = \"socketcan:can0\"\naddress = 52\n";
+  };
+  EXPECT_THAT(problems_of(node("g1", "gnss") + node("g2", "gnss")),
+              ElementsAre("r.toml:19:11: /device/2/address: 52 is already the address of 'g1' on "
+                          "socketcan:can0; each gnss on a bus needs its own"));
+  EXPECT_THAT(problems_of(node("g1", "gnss") + node("compass", "attitude")), IsEmpty())
+      << "a satellite compass is one node";
 }
 
 TEST(RigNames, FilesThatAreNotThereAreProblemsOfTheLineThatNamesThem) {

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "drivers/device/described/measure.hpp"
 #include "drivers/device/described/quaternion_attitude.hpp"
+#include "drivers/device/gnss/gnss_gate.hpp"
+#include "drivers/device/imu/imu_sample.hpp"
 #include "drivers/device/vessel/attitude_gate.hpp"
 #include "drivers/device/vessel/depth_gate.hpp"
 #include "drivers/wire/described/description.hpp"
@@ -22,6 +25,22 @@ constexpr std::array of_an_imu{Target::force_x, Target::force_y, Target::force_z
 bool is_complete(const Readings& readings, Kind kind) {
   return kind != Kind::imu ||
          std::ranges::all_of(of_an_imu, [&](Target target) { return readings.has(target); });
+}
+
+bool is_possible_imu(const Readings& r, Output& out) {
+  using enum Target;
+  const bool good = believable({r.get(rate_x), r.get(rate_y), r.get(rate_z)}, most_rate_radps) &&
+                    believable({r.get(force_x), r.get(force_y), r.get(force_z)}, most_force_mps2);
+  if (!good) out.refuse("a sample beyond 100 rad/s or 2000 m/s2 was dropped: damaged on its way");
+  return good;
+}
+
+bool are_possible_surfaces(const Readings& r, Output& out) {
+  using enum Target;
+  const bool good =
+      believable({r.get(rudder), r.get(stern_plane), r.get(bow_plane)}, std::numbers::pi / 2);
+  if (!good) out.refuse("a surface beyond 90 degrees was dropped: damaged on its way");
+  return good;
 }
 
 measurement::HeadingReference reference_of(const Readings& r) {
@@ -71,13 +90,19 @@ void MeasuredPublisher::publish(const Readings& readings, measurement::Origin or
     if (!turned) return out.refuse("a quaternion whose length is not 1 was refused");
     return publish_attitude(*turned, origin, out);
   }
+  if (options_.kind == Kind::imu && !is_possible_imu(readings, out)) return;
+  if (options_.kind == Kind::actuator && !are_possible_surfaces(readings, out)) return;
   auto measured = measurement_of(readings, origin, options_);
   if (auto* dvl = std::get_if<measurement::BottomVelocity>(&measured))
     return dvl_.publish(*dvl, {}, out);
   if (auto* log = std::get_if<measurement::WaterSpeed>(&measured)) {
     log->distance_m = log_.way(log->distance_m);
-    log_.resolve(readings.get(Target::longitudinal), readings.get(Target::transverse), *log, out);
+    if (!log_.resolve(readings.get(Target::longitudinal), readings.get(Target::transverse), *log,
+                      out))
+      return;
   }
+  if (const auto* fix = std::get_if<measurement::GnssFix>(&measured))
+    return publish_possible(*fix, out);
   const auto* depth = std::get_if<measurement::DepthSample>(&measured);
   if (!depth || is_possible(*depth, out)) out.publish(measured);
 }

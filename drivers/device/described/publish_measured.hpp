@@ -10,7 +10,7 @@
 
 namespace drydock::device {
 
-/// Publishes what described messages measured. Refused: an impossible depth or attitude, and a
+/// Publishes what described messages measured. Refused: what the kind cannot be, and a
 /// sample of an IMU without all six components.
 class MeasuredPublisher {
  public:

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "drivers/device/dvl/dvl_gate.hpp"
 #include "drivers/device/dvl/sound_speed.hpp"
 #include "drivers/device/dvl/velocity_accuracy.hpp"
 
 namespace drydock::device {
 
-/// What every DVL driver does last: the speed of sound put right, and the rig's accuracy added
-/// where the DVL tells none.
+/// What every DVL driver does last: the speed of sound put right, the impossible dropped, and the
+/// rig's accuracy added where the DVL tells none.
 class DvlFinish {
  public:
   explicit DvlFinish(const DriverOptions& options)
@@ -14,6 +15,7 @@ class DvlFinish {
 
   void publish(measurement::BottomVelocity& sample, const WaterAtHead& water, Output& out) {
     sound_speed_.apply(sample, water, out);
+    drop_impossible(sample, out);
     add_sigma_of_rig(sample, sigma_mps_);
     sample.depth_m = water.depth_m;
     out.publish(sample);

@@ -14,7 +14,9 @@ void Pd6Driver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out)
                                 counters().bad_checksums);
   if (step == Pd6Epoch::Step::complete) publish(out);
   if (step == Pd6Epoch::Step::broken) {
-    out.report("an ensemble was left out: a line of it was lost or damaged");
+    out.report(
+        "an ensemble was left out: a line was lost, damaged or not in the order SA TS WI WS WE WD "
+        "BI BS BE BD");
   }
 }
 

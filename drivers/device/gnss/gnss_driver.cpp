@@ -1,5 +1,6 @@
 #include "drivers/device/gnss/gnss_driver.hpp"
 
+#include "drivers/device/gnss/gnss_gate.hpp"
 #include "drivers/measurement/earlier.hpp"
 
 namespace drydock::device {
@@ -111,7 +112,7 @@ void GnssDriver::close_nmea_epoch(Output& out) {
   if (nmea_.time_of_day()) closed_time_of_day_ = nmea_.time_of_day();
   closed_at_ = last_bytes_;
   nmea_.clear();
-  if (fix) out.publish(*fix);
+  if (fix) publish_possible(*fix, out);
   if (satellites) out.publish(*satellites);
 }
 
@@ -148,7 +149,7 @@ void GnssDriver::close_ubx_epoch(Output& out) {
   if (fix) {
     fix_itow_ = itow_;
     ubx_fix_at_ = last_bytes_;
-    out.publish(*fix);
+    publish_possible(*fix, out);
   }
   if (satellites) {
     satellites_itow_ = itow_;
@@ -182,7 +183,7 @@ void GnssDriver::on(const wire::NavPvt& pvt, const Origin& origin, Output& out) 
   fix.satellites_used = pvt.satellites_used;
   fix.ground_speed_mps = pvt.ground_speed_mps;
   fix.course_rad = pvt.course_rad;
-  out.publish(fix);
+  publish_possible(fix, out);
 }
 
 void GnssDriver::on(const wire::NavSat& sat, const Origin& origin, Output& out) {

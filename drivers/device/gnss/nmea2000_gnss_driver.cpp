@@ -1,5 +1,6 @@
 #include "drivers/device/gnss/nmea2000_gnss_driver.hpp"
 
+#include "drivers/device/gnss/gnss_gate.hpp"
 #include "drivers/measurement/earlier.hpp"
 
 namespace drydock::device {
@@ -73,7 +74,7 @@ void Nmea2000GnssDriver::restart(Stamp now, Output& out) {
 void Nmea2000GnssDriver::close(Output& out) {
   const auto fix = epoch_.fix();
   epoch_.clear();
-  if (fix) out.publish(*fix);
+  if (fix) publish_possible(*fix, out);
 }
 
 template <class Part>
@@ -116,7 +117,7 @@ void Nmea2000GnssDriver::on(const n2k::RapidPosition& position, const Origin& or
     fix.position = measurement::Geodetic{*position.latitude_rad, *position.longitude_rad};
     if (is_recent(course_at_, origin.received_at, course_counts_for)) fill_motion(fix, course_);
   }
-  out.publish(fix);
+  publish_possible(fix, out);
 }
 
 void Nmea2000GnssDriver::on(const wire::j1939::AddressClaimed& claim, const Origin& origin,

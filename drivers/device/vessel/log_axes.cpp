@@ -1,10 +1,18 @@
 #include "drivers/device/vessel/log_axes.hpp"
 
+#include "drivers/device/vehicle_limits.hpp"
+
 namespace drydock::device {
 
-void LogAxes::resolve(const std::optional<double>& longitudinal_mps,
+bool LogAxes::resolve(const std::optional<double>& longitudinal_mps,
                       const std::optional<double>& transverse_mps, measurement::WaterSpeed& into,
                       Output& out) const {
+  constexpr double most = fastest_in_water_mps;
+  if (!(std::abs(longitudinal_mps.value_or(0)) <= most) ||
+      !(std::abs(transverse_mps.value_or(0)) <= most)) {
+    out.refuse("a speed through the water over 50 m/s was dropped: damaged on its way");
+    return false;
+  }
   if (mounting_.is_identity()) {
     into.longitudinal_mps = longitudinal_mps;
     into.transverse_mps = transverse_mps;
@@ -18,6 +26,7 @@ void LogAxes::resolve(const std::optional<double>& longitudinal_mps,
   if (into.longitudinal_mps) *into.longitudinal_mps /= scale_;
   if (into.transverse_mps) *into.transverse_mps /= scale_;
   if (into.longitudinal_mps || into.transverse_mps) into.sigma_mps = sigma_mps_;
+  return true;
 }
 
 void LogAxes::publish(const std::optional<double>& longitudinal_mps,
@@ -25,8 +34,7 @@ void LogAxes::publish(const std::optional<double>& longitudinal_mps,
                       const measurement::Origin& origin, Output& out) const {
   measurement::WaterSpeed result;
   result.origin = origin;
-  resolve(longitudinal_mps, transverse_mps, result, out);
-  out.publish(result);
+  if (resolve(longitudinal_mps, transverse_mps, result, out)) out.publish(result);
 }
 
 }  // namespace drydock::device

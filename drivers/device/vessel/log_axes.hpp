@@ -16,8 +16,8 @@ class LogAxes {
         scale_(options.speed_scale),
         sigma_mps_(options.velocity_sigma_mps) {}
 
-  /// Sets the speeds of `into`, whose origin is set.
-  void resolve(const std::optional<double>& longitudinal_mps,
+  /// Sets the speeds of `into`, whose origin is set. False: they are impossible, and were refused.
+  bool resolve(const std::optional<double>& longitudinal_mps,
                const std::optional<double>& transverse_mps, measurement::WaterSpeed& into,
                Output& out) const;
   /// The way that it has counted.

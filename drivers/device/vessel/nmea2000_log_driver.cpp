@@ -5,7 +5,6 @@ namespace drydock::device {
 namespace {
 /// A frame takes 0.6 ms at 250 kbit/s: no other frame fits into this pause.
 constexpr std::chrono::microseconds pause_between_logs{500};
-constexpr double fastest_mps = 50;
 }  // namespace
 
 Nmea2000LogDriver::Nmea2000LogDriver(const DriverOptions& options)
@@ -41,8 +40,6 @@ Origin Nmea2000LogDriver::in_burst(const wire::CanFrame& frame, Stamp received_a
 void Nmea2000LogDriver::on(const wire::nmea2000::Speed& speed, const Origin& origin, Output& out) {
   if (!accepts(source_, speed.source, origin.received_at)) return;
   auto along_mps = speed.water_mps;
-  if (along_mps > fastest_mps)
-    return out.refuse("a speed through the water over 50 m/s was dropped: damaged on its way");
   if (along_mps && speed.direction == wire::nmea2000::Speed::reverse) along_mps = -*along_mps;
   axes_.publish(along_mps, {}, origin, out);
 }

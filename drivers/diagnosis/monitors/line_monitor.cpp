@@ -72,6 +72,7 @@ void LineMonitor::look_at_bytes(const Vitals& vitals, Stamp now) {
       expected_.protocol.travels == wire::Travels::as_frames) {
     last_frame_ = now;
     bytes_then_ = vitals.stream.bytes_in;
+    not_text_then_ = vitals.bytes_not_text;
     return;
   }
   const auto patience = std::max<std::chrono::nanoseconds>(
@@ -80,9 +81,12 @@ void LineMonitor::look_at_bytes(const Vitals& vitals, Stamp now) {
   constexpr double fewest = 16;
   // Bytes must still come: the rest of a damaged frame before a silence is none of this.
   if (vitals.stream.bytes_in != last_.stream.bytes_in) bytes_at_ = now;
-  if (now - last_frame_ > patience && bytes >= fewest && now - bytes_at_ < patience)
-    teller_.tell(Sign::nothing_decodes, last_frame_, now,
-                 {bytes, fewest, "bytes without a frame", "B"});
+  if (now - last_frame_ <= patience || bytes < fewest || now - bytes_at_ >= patience) return;
+  // At a wrong rate hardly a byte is text: these are a console's, such as a sensor's at its prompt.
+  const bool text = vitals.bytes_not_text == not_text_then_;
+  teller_.tell(
+      text ? Sign::prompts : Sign::nothing_decodes, last_frame_, now,
+      {bytes, fewest, text ? "bytes of text without a frame" : "bytes without a frame", "B"});
 }
 
 void LineMonitor::look_at_counters(const Vitals& vitals, Stamp now) {

@@ -33,7 +33,7 @@ class LineMonitor {
   bool looked_ = false;
   Stamp last_frame_{};  ///< when the counter of good frames last moved
   Stamp bytes_at_{};    ///< when bytes last came
-  std::uint64_t bytes_then_ = 0;
+  std::uint64_t bytes_then_ = 0, not_text_then_ = 0;
   FrameCount frames_;
   Stamp hot_since_{}, hot_until_{};
   Stamp refused_since_{}, refused_until_{};

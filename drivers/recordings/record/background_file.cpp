@@ -65,6 +65,7 @@ void BackgroundFile::work() {
 
 void BackgroundFile::note(const boost::system::error_code& error) {
   progress_.error = error;
+  if (error) progress_.failed_file = file_.path();
   progress_.size = file_.size();
   progress_.files = file_.files();
   progress_.deleted = file_.deleted();

@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -35,6 +36,7 @@ class BackgroundFile {
     std::uint64_t size = 0;                ///< bytes written
     std::uint64_t messages = 0, lost = 0;  ///< written; not taken or discarded
     std::uint64_t files = 1, deleted = 0;  ///< of a divided recording: made; deleted again
+    std::string failed_file{};             ///< that the error is of; empty without one
   };
   Progress progress() const;
 

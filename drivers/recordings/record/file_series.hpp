@@ -27,6 +27,7 @@ class FileSeries {
 
   boost::system::error_code error() const { return error_ ? error_ : file_->error(); }
   std::uint64_t size() const { return finished_size_ + file_->size(); }  ///< of all files, in bytes
+  const std::string& path() const { return part_.path; }                 ///< of the present file
   std::uint64_t files() const { return files_; }
   std::uint64_t deleted() const { return deleted_; }  ///< of the files
 

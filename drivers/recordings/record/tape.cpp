@@ -52,7 +52,8 @@ boost::system::error_code Tape::finish() {
 
 TapeStatus Tape::status() const {
   const auto file = file_.progress();
-  return {file.messages, file.lost, file.size, file.files, file.deleted, file.error};
+  return {file.messages, file.lost,  file.size,       file.files,
+          file.deleted,  file.error, file.failed_file};
 }
 
 }  // namespace drydock::record

@@ -20,6 +20,7 @@ struct TapeStatus {
   std::uint64_t bytes = 0;     ///< written, into all files
   std::uint64_t files = 1, deleted = 0;
   boost::system::error_code error;
+  std::string failed_file{};  ///< that the error is of; empty without one
 };
 
 /// Writes a recording: first channels, then messages. A chunk is written at 768 KiB, or after each

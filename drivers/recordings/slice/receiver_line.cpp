@@ -39,7 +39,7 @@ void ReceiverLine::keep(wire::Bytes frame, measurement::Stamp at) {
 void ReceiverLine::on_frame(wire::Bytes frame, measurement::Stamp at) {
   if (frame[0] == '$') return on_sentence(frame, at);
   if (frame[0] == wire::ubx::sync_1) return on_ubx(frame, at);
-  drop("RTCM");
+  drop(frame[0] == '!' ? "NMEA encapsulated" : "RTCM");
 }
 
 void ReceiverLine::on_sentence(wire::Bytes frame, measurement::Stamp at) {

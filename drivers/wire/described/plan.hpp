@@ -52,6 +52,7 @@ struct Field {
   std::string key;  ///< in `drydock decode`; empty: not shown
   Type type = Type::number;
   std::string text;       ///< of a constant, or what an emulated device sends
+  std::string before;     ///< text: what stands in front of the number
   char end = 0;           ///< text: the character behind the field; 0: the end of the message
   bool closed = false;    ///< text: `end` stands behind it at the end of the message too
   bool optional = false;  ///< text: the message may end before it

@@ -1,5 +1,6 @@
 #include "drivers/wire/described/read_back.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "drivers/wire/described/codec.hpp"
@@ -25,6 +26,28 @@ bool reads_back(const Plan& plan, const Message& message, Bytes bytes) {
 }
 
 }  // namespace
+
+std::size_t bytes_written(const Plan& plan, const Message& message) {
+  return written(plan, message, 1).size();
+}
+
+std::string why_silent(const Description& description) {
+  if (description.frames) return {};  // a frame is written whatever its signals are
+  const Plan& plan = description.plan;
+  std::string unwritten;
+  for (const Message& message : plan.messages) {
+    const auto asks = [&](const Request& request) { return request.reply == message.name; };
+    const bool wanted = message.emulated || std::ranges::any_of(description.poll, asks);
+    if (!wanted) continue;
+    if (bytes_written(plan, message) > 0) return {};
+    if (unwritten.empty()) unwritten = message.name;
+  }
+  if (unwritten.empty())
+    return "every message has 'emulated = false', or a pattern without 'emulate'";
+  return "'" + unwritten +
+         "' has a field that nothing measures, between blanks or in a pattern: it needs 'emulate' "
+         "or 'no_value'";
+}
 
 std::string line_not_read_back(const Plan& plan, const Message& message) {
   std::string first;

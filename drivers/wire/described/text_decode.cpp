@@ -44,13 +44,16 @@ Cut cut(std::string_view text, char end) {
   return {text.substr(0, at), text.substr(at + 1), false};
 }
 
-std::optional<double> parse_hex_number(std::string_view text, bool is_signed) {
+std::optional<double> parse_hex_number(const Field& field, std::string_view text) {
   if (text.starts_with("0x") || text.starts_with("0X")) text.remove_prefix(2);
   std::uint64_t value = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
   if (error != std::errc{} || stop != text.data() + text.size()) return {};
+  if (field.bits > 0 && field.bits < 64)
+    return static_cast<double>(value >> field.first_bit & ((1ull << field.bits) - 1));
   const std::size_t unused = 64 - 4 * std::min<std::size_t>(text.size(), 16);
-  if (is_signed) return static_cast<double>(static_cast<std::int64_t>(value << unused) >> unused);
+  if (field.type == Type::hex_signed)
+    return static_cast<double>(static_cast<std::int64_t>(value << unused) >> unused);
   return static_cast<double>(value);
 }
 
@@ -77,7 +80,7 @@ std::optional<double> value_of(const Field& field, std::string_view text) {
 
 std::optional<double> number_of(const Plan& plan, const Field& field, std::string_view text) {
   if (field.type == Type::hex || field.type == Type::hex_signed)
-    return parse_hex_number(text, field.type == Type::hex_signed);
+    return parse_hex_number(field, text);
   if (!plan.decimal_comma || field.notation.is_date()) return value_of(field, text);
   return with_comma(text, [&](std::string_view copy) { return value_of(field, copy); });
 }
@@ -101,7 +104,9 @@ bool take(const Plan& plan, const Field& field, std::string_view text, std::size
     if (field.validity) record.valid = false;
     return plan.form == Form::sentences || field.optional;
   }
-  const auto number = number_of(plan, field, text);
+  const auto number = text.starts_with(field.before)
+                          ? number_of(plan, field, text.substr(field.before.size()))
+                          : std::nullopt;
   if (!number && plan.form == Form::lines) return false;  // nothing else proves a line
   if (number) take_number(field, *number, value);
   if (!number) value.state = Value::State::malformed;

@@ -18,7 +18,9 @@ std::string_view digits_of(const Field& field, double magnitude, bool comma,
   const char* const stop =
       !field.notation.is_plain()
           ? buffer.data() + write_in(field.notation, magnitude, field.decimals, buffer.data(), end)
-      : hex ? std::to_chars(buffer.data(), end, static_cast<std::uint64_t>(magnitude), 16).ptr
+      : hex ? std::to_chars(buffer.data(), end,
+                            static_cast<std::uint64_t>(magnitude) << field.first_bit, 16)
+                  .ptr
             : std::to_chars(buffer.data(), end, magnitude, std::chars_format::fixed, field.decimals)
                   .ptr;
   for (char& c : buffer.first(static_cast<std::size_t>(stop - buffer.data()))) {
@@ -72,6 +74,7 @@ bool write_field(const Plan& plan, std::span<const Field> fields, const Field& f
   }
   auto number = wire_number(fields, field, readings);
   if (number && field.signed_apart) number = std::abs(*number);
+  if (number) line.text(field.before);
   if (number) write_number(plan, field, *number, line);
   return number || plan.form == Form::sentences || field.optional;
 }

@@ -35,7 +35,7 @@ Scan at_star(const Plan& plan, Bytes bytes, std::size_t star) {
 }
 
 bool begins_message(const Plan& plan, Bytes bytes) {
-  if (bytes[0] == '$' || bytes[0] == '!') return true;
+  if (bytes[0] == '$') return true;
   return std::ranges::any_of(plan.texts.families,
                              [&](const FlatFamily& family) { return begins(family, bytes); });
 }

@@ -43,13 +43,17 @@ Scan with_checksum(Bytes bytes, std::size_t star, std::uint8_t checksum) {
   return sent == checksum ? with_line_end(bytes, star + 3) : Scan::bad_checksum();
 }
 
+/// IEC 61162-1: `!` begins an encapsulation sentence, as those of AIS are.
+constexpr bool begins_sentence(std::uint8_t c) { return c == '$' || c == '!'; }
+
 /// Bytes up to the next one that may begin a frame: a sentence, or a TAG block.
 std::size_t before_start(Bytes bytes) {
   const auto find = [](Bytes in, char what) {
     const auto* at = static_cast<const std::uint8_t*>(std::memchr(in.data(), what, in.size()));
     return at != nullptr ? static_cast<std::size_t>(at - in.data()) : in.size();
   };
-  return find(bytes.first(find(bytes, '$')), '\\');
+  const Bytes plain = bytes.first(find(bytes, '$'));
+  return find(plain.first(find(plain, '!')), '\\');
 }
 
 Scan scan_sentence(Bytes bytes);
@@ -67,7 +71,7 @@ Scan scan_tagged(Bytes bytes) {
       const int high = hex_value(bytes[star + 1]), low = hex_value(bytes[star + 2]);
       if (high < 0 || low < 0 || checksum != high * 16 + low) return Scan::skip(i);
       if (i + 1 == bytes.size()) return Scan::need_more();
-      if (bytes[i + 1] != '$') return Scan::skip(i + 1);
+      if (!begins_sentence(bytes[i + 1])) return Scan::skip(i + 1);
       const Scan sentence = scan_sentence(bytes.subspan(i + 1));
       switch (sentence.kind) {
         case Scan::Kind::frame: return Scan::frame(i + 1 + sentence.size);
@@ -106,7 +110,7 @@ Scan scan_sentence(Bytes bytes) {
 
 Scan Nmea0183::scan(Bytes bytes) {
   if (bytes.empty()) return Scan::need_more();
-  if (bytes[0] == '$') return scan_sentence(bytes);
+  if (begins_sentence(bytes[0])) return scan_sentence(bytes);
   return bytes[0] == '\\' ? scan_tagged(bytes) : Scan::skip(before_start(bytes));
 }
 

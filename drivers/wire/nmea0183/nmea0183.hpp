@@ -17,7 +17,8 @@ using Nmea0183Messages =
 
 /// NMEA 0183, all talkers. A frame goes from `$` to the checksum and its line end (CR LF, LF or
 /// CR); a TAG block in front of it (NMEA 0183 4.00, `\s:GP0001,c:1704067170*hh\`) is part of it. A
-/// sentence without a checksum is not a frame. A `$` inside a sentence starts a new one.
+/// sentence that begins with `!`, as those of AIS do, is a frame that gives no message. A sentence
+/// without a checksum is not a frame. A `$` inside a sentence starts a new one.
 struct Nmea0183 {
   static constexpr std::string_view name = "nmea0183";
   /// The standard has 82. Receivers with many satellites and sentences of vendors exceed it.

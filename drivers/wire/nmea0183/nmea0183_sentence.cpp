@@ -64,7 +64,7 @@ Bytes without_tag(Bytes frame) {
 
 SentenceReader::SentenceReader(Bytes frame) {
   frame = without_tag(frame);
-  if (frame.empty()) return;
+  if (frame.empty() || frame[0] == '!') return;
   const auto* begin = reinterpret_cast<const char*>(frame.data()) + 1;
   const auto* star = static_cast<const char*>(std::memchr(begin, '*', frame.size() - 1));
   end_ = star ? star : begin + frame.size() - 1;

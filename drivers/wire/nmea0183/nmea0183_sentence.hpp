@@ -41,8 +41,8 @@ Bytes without_tag(Bytes frame);
 /// end or malformed reads as empty and never affects the others.
 class SentenceReader {
  public:
-  /// `frame` is a frame of the scan. A proprietary or malformed address gives an empty
-  /// `formatter()`.
+  /// `frame` is a frame of the scan. A proprietary or malformed address, and a sentence that begins
+  /// with `!`, give an empty `formatter()`.
   explicit SentenceReader(Bytes frame);
 
   Talker talker() const { return talker_; }

@@ -44,7 +44,6 @@ void add_probe(CLI::App& app, Command& command) {
   sub->add_flag("--json", a->options.json, "one JSON object instead of text");
   sub->callback([a, &command] {
     command = [a] {
-      a->options.shipped = shipped_descriptions();
       if (a->all) return probe::probe_all("/", a->options.json, stdout);
       for (const auto& name : a->describe) {
         a->options.descriptions.push_back(load_protocol(name));

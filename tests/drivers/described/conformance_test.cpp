@@ -27,7 +27,8 @@ struct Shipped {
 bool xor_is_right(Bytes frame) {
   const auto text = as_text(frame);
   const auto star = text.rfind('*');
-  if (star == text.npos || text[0] != '$' || star + 3 > text.size()) return false;
+  if (star == text.npos || (text[0] != '$' && text[0] != '!') || star + 3 > text.size())
+    return false;
   const int sum = std::accumulate(text.begin() + 1, text.begin() + static_cast<long>(star), 0,
                                   [](int x, char c) { return x ^ c; });
   return std::stoi(std::string(text.substr(star + 1, 2)), nullptr, 16) == sum;

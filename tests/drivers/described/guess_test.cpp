@@ -33,6 +33,23 @@ TEST(GuessedDescription, SentencesGiveTheirChecksumAndColumns) {
   EXPECT_THAT(guess, HasSubstr("{ text = \"M\" },"));
 }
 
+/// Sentences of an INS have 300 characters; a description reads 256 unless it says more.
+TEST(GuessedDescription, OfLongSentencesSaysHowLongTheyMayBe) {
+  std::string capture;
+  for (int i = 0; i < 20; ++i) {
+    std::string body = "INSPVAXA";
+    for (int k = 0; k < 25; ++k) body += fmt::format(",{}.{:09}", i, 1000 * k + i);
+    unsigned sum = 0;
+    for (const char c : body) sum ^= static_cast<unsigned char>(c);
+    capture += fmt::format("${}*{:02X}\r\n", body, sum);
+  }
+  const auto bytes = wire::testing::as_bytes(capture);
+  const auto guess = survey::guess_description(bytes);
+  EXPECT_THAT(guess, HasSubstr("longest = 512"));
+  const auto description = described(guess);
+  EXPECT_EQ(wire::described::scan(description->plan, bytes).kind, wire::Scan::Kind::frame);
+}
+
 TEST(GuessedDescription, IsADescriptionAsItStands) {
   const auto guess =
       survey::guess_description(wire::testing::fixture("described/cerulean-dvpdl.txt"));

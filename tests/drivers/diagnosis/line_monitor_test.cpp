@@ -76,14 +76,26 @@ TEST_F(LineThatIsWatched, HasForeignBytesWithoutDamage) {
 TEST_F(LineThatIsWatched, DecodesNothingAfterASecondOfBytes) {
   for (int i = 0; i < 3; ++i) {
     health.stream.bytes_in += 40;
+    health.bytes_not_text += 20;
     look(0);
   }
   EXPECT_FALSE(signs.has(Sign::nothing_decodes));
   for (int i = 0; i < 2; ++i) {
     health.stream.bytes_in += 40;
+    health.bytes_not_text += 20;
     look(0);
   }
   EXPECT_TRUE(signs.has(Sign::nothing_decodes));
+}
+
+/// At a wrong rate hardly a byte is text. A sensor that waits for a command says nothing else.
+TEST_F(LineThatIsWatched, PromptsWhereAllBytesAreText) {
+  for (int i = 0; i < 5; ++i) {
+    health.stream.bytes_in += 4;
+    look(0);
+  }
+  EXPECT_TRUE(signs.has(Sign::prompts));
+  EXPECT_FALSE(signs.has(Sign::nothing_decodes));
 }
 
 // Ten frames a second; a fifth more are two a second, 16 in the window of 8 s.

@@ -59,6 +59,12 @@ TEST(Hints, BytesOfNoProtocolMayHaveAnotherBaudRate) {
             "30 bytes, but no ubx frame, nor one of any other protocol: the baud rate?");
 }
 
+/// At a wrong rate hardly a byte is text.
+TEST(Hints, TextOfNoProtocolIsAConsole) {
+  EXPECT_EQ(line_hint(heard("\r\n> ", 3), "nmea0183"),
+            "text without a nmea0183 frame: \"> > > \"; does it wait for a command?");
+}
+
 TEST(Hints, SilenceNeedsNoHint) { EXPECT_EQ(line_hint(heard("", 0), "ubx"), ""); }
 
 // CiA 301: COB-ID 700h + node, state 7Fh is pre-operational, 05h operational.

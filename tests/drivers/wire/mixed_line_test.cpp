@@ -31,7 +31,7 @@ std::size_t ubx_at(Bytes b) {
 }
 
 std::size_t nmea_at(Bytes b) {
-  if (b.empty() || b[0] != '$') return 0;
+  if (b.empty() || (b[0] != '$' && b[0] != '!')) return 0;
   const std::string_view text = as_text(b.first(std::min<std::size_t>(b.size(), 1000)));
   const std::size_t star = text.find_first_of("*$\r\n", 1);
   if (star == text.npos || text[star] != '*' || star + 3 > text.size()) return 0;
@@ -74,7 +74,7 @@ Count count_by_every_byte(Bytes bytes) {
 Count count_of(const Reading<UbxNmea>& reading) {
   Count count;
   for (const Buffer& frame : reading.frames) {
-    ++(frame[0] == '$' ? count.nmea : frame[0] == 0xD3 ? count.rtcm : count.ubx);
+    ++(frame[0] == '$' || frame[0] == '!' ? count.nmea : frame[0] == 0xD3 ? count.rtcm : count.ubx);
   }
   return count;
 }

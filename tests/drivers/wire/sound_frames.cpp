@@ -9,11 +9,12 @@
 
 namespace drydock::wire::testing {
 
-/// XOR of all between '$' and '*'.
+/// XOR of all between '$' or '!' and '*'.
 bool sound_sentence(Bytes frame) {
   const std::string_view text = as_text(frame);
   const std::size_t star = text.rfind('*');
-  if (text.empty() || text[0] != '$' || star == text.npos || star + 3 > text.size()) return false;
+  const bool begins = !text.empty() && (text[0] == '$' || text[0] == '!');
+  if (!begins || star == text.npos || star + 3 > text.size()) return false;
   const int sum = std::accumulate(text.begin() + 1, text.begin() + static_cast<long>(star), 0,
                                   [](int x, char c) { return x ^ c; });
   return std::stoi(std::string{text.substr(star + 1, 2)}, nullptr, 16) == sum;
@@ -96,7 +97,7 @@ bool sound_water_linked_json(Bytes frame) {
 
 /// A sentence or a UBX frame on one line.
 bool sound_ubx_nmea(Bytes frame) {
-  return frame[0] == '$' ? sound_sentence(frame) : sound_ubx(frame);
+  return frame[0] == '$' || frame[0] == '!' ? sound_sentence(frame) : sound_ubx(frame);
 }
 
 namespace {

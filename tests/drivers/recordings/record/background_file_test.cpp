@@ -88,5 +88,25 @@ TEST(BackgroundFile, WhoWaitsForRoomIsNotLeftWaitingWhenTheDiskFails) {
   EXPECT_LE(producer.get(), 2 * BackgroundFile::most_waiting);
 }
 
+/// The first file is whole when the disk becomes full.
+TEST(BackgroundFile, TheFileThatFailedIsNamed) {
+  Disk good, full;
+  good.release();
+  full.release();
+  full.fail();
+  Parts parts{{good.sink(), "y-0001.mcap"}, {}, [&]() -> boost::system::result<Part> {
+                return Part{full.sink(), "y-0002.mcap"};
+              }};
+  parts.split.every = std::chrono::seconds{2};
+  parts.split.virtual_time = true;
+  BackgroundFile file(FileSeries(std::move(parts), {{"ros2", "test"}, {}, {}}));
+  for (std::uint64_t s = 0; s < 4; ++s) {
+    auto block = block_of_one(s * 1'000'000'000);
+    file.put_when_there_is_room(block);
+  }
+  EXPECT_TRUE(file.finish());
+  EXPECT_EQ(file.progress().failed_file, "y-0002.mcap");
+}
+
 }  // namespace background_file_test
 }  // namespace drydock::record
