@@ -91,18 +91,24 @@ class Reader {
   Entity topic_, reader_;
 };
 
-/// The provenance that each known writer declared in its USER_DATA.
-class DeclaredProvenance {
- public:
-  explicit DeclaredProvenance(Provenance undeclared) : undeclared_(undeclared) {}
+/// What is known of a writer.
+struct WriterFacts {
+  dds_instance_handle_t handle = 0;
+  Provenance provenance{};  ///< that it declared in its USER_DATA
+  bool own = false;         ///< of the reader's participant
+};
 
-  Provenance of(dds_entity_t reader, dds_instance_handle_t writer);
+class KnownWriters {
+ public:
+  explicit KnownWriters(Provenance undeclared) : undeclared_(undeclared) {}
+
+  WriterFacts of(dds_entity_t reader, dds_instance_handle_t writer);
 
  private:
   static constexpr std::size_t most_known = 64;  ///< writers may come and go without end
 
   Provenance undeclared_;
-  std::vector<std::pair<dds_instance_handle_t, Provenance>> known_;
+  std::vector<WriterFacts> known_;
 };
 
 /// A source of samples that a subscriber empties.
@@ -112,9 +118,10 @@ class Source {
   virtual std::size_t take(Receiver& receiver) = 0;
   virtual std::size_t matched() const = 0;
   std::uint64_t unusable() const { return unusable_; }
+  std::uint64_t foreign() const { return foreign_; }
 
  protected:
-  std::uint64_t unusable_ = 0;
+  std::uint64_t unusable_ = 0, foreign_ = 0;
 };
 
 template <class Message>
@@ -133,15 +140,21 @@ template <class Sample, class Message>
 class SampleSource final : public ReaderSource<Message> {
  public:
   SampleSource(const Participant& participant, const Device& device, std::uint16_t index,
-               Doorbell& doorbell)
+               bool own_only, Doorbell& doorbell)
       : ReaderSource<Message>(participant, topic_name(device.name, route<Sample, Message>.suffix),
                               doorbell),
-        provenance_(device.provenance),
-        index_(index) {}
+        writers_(device.provenance),
+        index_(index),
+        own_only_(own_only) {}
 
   std::size_t take(Receiver& receiver) override {
     std::size_t count = 0;
     this->reader_.drain([&](const Message& message, const dds_sample_info_t& info) {
+      const WriterFacts writer = writers_.of(this->reader_.handle(), info.publication_handle);
+      if (own_only_ && !writer.own) {
+        ++this->foreign_;
+        return;
+      }
       Measurement measurement{std::in_place_type<Sample>};
       auto& sample = std::get<Sample>(measurement);
       if (!read(sample, message)) {
@@ -149,7 +162,7 @@ class SampleSource final : public ReaderSource<Message> {
         return;
       }
       sample.origin.received_at = stamp_from_ns(info.source_timestamp);
-      sample.origin.provenance = provenance_.of(this->reader_.handle(), info.publication_handle);
+      sample.origin.provenance = writer.provenance;
       sample.origin.device = index_;
       receiver.receive(measurement);
       ++count;
@@ -158,8 +171,9 @@ class SampleSource final : public ReaderSource<Message> {
   }
 
  private:
-  DeclaredProvenance provenance_;
+  KnownWriters writers_;
   std::uint16_t index_;
+  bool own_only_;
 };
 
 }  // namespace drydock::bus

@@ -1,5 +1,7 @@
 #include "drivers/bus/subscriber.hpp"
 
+#include <algorithm>
+
 #include "drivers/bus/reader.hpp"
 
 namespace drydock::bus {
@@ -53,13 +55,14 @@ struct DeviceSources {
   const Participant& participant;
   const Device& device;
   std::uint16_t index;
+  bool own_only;
   Doorbell& doorbell;
   Sources& sources;
 
   template <class Sample, class Message>
   void add() {
-    sources.push_back(
-        std::make_unique<SampleSource<Sample, Message>>(participant, device, index, doorbell));
+    sources.push_back(std::make_unique<SampleSource<Sample, Message>>(participant, device, index,
+                                                                      own_only, doorbell));
   }
 
   template <class Sample, class Complete, class Standard>
@@ -90,27 +93,36 @@ std::optional<Provenance> declared_in(std::string_view user_data) {
   return std::nullopt;
 }
 
-std::string user_data_of(dds_entity_t reader, dds_instance_handle_t writer) {
-  const std::unique_ptr<dds_builtintopic_endpoint_t, decltype(&dds_builtintopic_free_endpoint)>
-      endpoint(dds_get_matched_publication_data(reader, writer), &dds_builtintopic_free_endpoint);
+using WriterData =
+    std::unique_ptr<dds_builtintopic_endpoint_t, decltype(&dds_builtintopic_free_endpoint)>;
+
+std::string user_data_of(const WriterData& writer) {
   void* bytes = nullptr;
   std::size_t size = 0;
-  if (!endpoint || !dds_qget_userdata(endpoint->qos, &bytes, &size)) return {};
+  if (!writer || !dds_qget_userdata(writer->qos, &bytes, &size)) return {};
   std::string text(static_cast<const char*>(bytes), size);
   dds_free(bytes);
   return text;
 }
 
+bool is_of(const WriterData& writer, dds_entity_t participant) {
+  dds_guid_t own{};
+  return writer && dds_get_guid(participant, &own) == DDS_RETCODE_OK &&
+         std::ranges::equal(writer->participant_key.v, own.v);
+}
+
 }  // namespace
 
-Provenance DeclaredProvenance::of(dds_entity_t reader, dds_instance_handle_t writer) {
-  for (const auto& [handle, provenance] : known_) {
-    if (handle == writer) return provenance;
-  }
-  const auto provenance = declared_in(user_data_of(reader, writer)).value_or(undeclared_);
+WriterFacts KnownWriters::of(dds_entity_t reader, dds_instance_handle_t writer) {
+  const auto known = std::ranges::find(known_, writer, &WriterFacts::handle);
+  if (known != known_.end()) return *known;
+  const WriterData data(dds_get_matched_publication_data(reader, writer),
+                        &dds_builtintopic_free_endpoint);
+  if (!data) return {writer, undeclared_, true};  // it has gone already
   if (known_.size() == most_known) known_.erase(known_.begin());
-  known_.emplace_back(writer, provenance);
-  return provenance;
+  known_.push_back({writer, declared_in(user_data_of(data)).value_or(undeclared_),
+                    is_of(data, dds_get_participant(reader))});
+  return known_.back();
 }
 
 struct Subscriber::Readers {
@@ -123,7 +135,8 @@ Subscriber::Subscriber(const Participant& participant, const std::vector<Device>
     : readers_(new Readers) {
   auto& [doorbell, sources] = *readers_;
   for (std::size_t i = 0; i < devices.size(); ++i) {
-    DeviceSources{participant, devices[i], static_cast<std::uint16_t>(i), doorbell, sources}
+    DeviceSources{participant,      devices[i], static_cast<std::uint16_t>(i),
+                  options.own_only, doorbell,   sources}
         .add_all();
   }
   for (std::size_t i = 0; i < options.estimators.size(); ++i) {
@@ -151,6 +164,12 @@ std::size_t Subscriber::take(Receiver& receiver) {
 std::size_t Subscriber::matched_writers() const {
   std::size_t count = 0;
   for (const auto& source : readers_->sources) count += source->matched();
+  return count;
+}
+
+std::uint64_t Subscriber::foreign() const {
+  std::uint64_t count = 0;
+  for (const auto& source : readers_->sources) count += source->foreign();
   return count;
 }
 

@@ -22,6 +22,9 @@ class Receiver {
 struct SubscriberOptions {
   std::vector<std::string> estimators;  ///< take `rt/estimate/<name>` of each
   bool diagnostics = false;             ///< take `rt/diagnostics`
+  /// Take the samples of devices from writers of this participant alone. Another rig in the same
+  /// domain may have devices of the same names.
+  bool own_only = false;
 };
 
 /// Takes measurements from the bus on the caller's thread: wait until fd() is readable, then take.
@@ -57,6 +60,7 @@ class Subscriber {
   std::size_t matched_writers() const;
 
   std::uint64_t unusable() const;  ///< samples whose content cannot be a measurement
+  std::uint64_t foreign() const;   ///< samples of other participants that were not taken
 
  private:
   struct Readers;

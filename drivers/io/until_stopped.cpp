@@ -13,13 +13,15 @@ UntilStopped::UntilStopped(boost::asio::io_context& io, double duration_s,
                            std::function<void()> stop)
     : stop_(std::move(stop)), signals_(io), timer_(io) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) signals_.add(signal);
-  signals_.async_wait([this, has_end = duration_s > 0](const boost::system::error_code& ec, int) {
-    if (ec || stopped_) return;
-    terminal::leave_dead_terminal();
-    interrupted_ = true;
-    if (has_end) terminal::note_early_end();
-    this->stop();
-  });
+  signals_.async_wait(
+      [this, has_end = duration_s > 0](const boost::system::error_code& ec, int signal) {
+        if (ec || stopped_) return;
+        terminal::leave_dead_terminal();
+        if (signal == SIGPIPE) terminal::forget_unread_lines();
+        interrupted_ = true;
+        if (has_end) terminal::note_early_end();
+        this->stop();
+      });
   if (duration_s <= 0) return;
   timer_.expires_after(measurement::from_seconds(duration_s));
   timer_.async_wait([this](const boost::system::error_code& ec) {

@@ -5,7 +5,9 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <cstdio>
 
 namespace drydock::terminal {
 
@@ -29,6 +31,16 @@ void leave_dead_terminal() {
     ::close(nowhere);
   }
   errno = error;
+}
+
+void forget_unread_lines() {
+  std::fflush(stdout);
+  std::clearerr(stdout);
+}
+
+void hold_lines_of_pipe() {
+  static std::array<char, 1 << 20> held;
+  if (::isatty(STDOUT_FILENO) == 0) std::setvbuf(stdout, held.data(), _IOFBF, held.size());
 }
 
 }  // namespace drydock::terminal

@@ -6,4 +6,12 @@ namespace drydock::terminal {
 /// its pipe any more, where a line would be an error. Safe in a signal handler.
 void leave_dead_terminal();
 
+/// After leave_dead_terminal(), not in a signal handler: lines that nobody read are no failure of
+/// standard output.
+void forget_unread_lines();
+
+/// What is printed into a pipe waits in memory for a flush, whose failure is no exception: a line
+/// that nobody reads must not end a run. Call it before the first line.
+void hold_lines_of_pipe();
+
 }  // namespace drydock::terminal

@@ -11,36 +11,41 @@
 namespace drydock::terminal {
 namespace {
 
-std::atomic<bool> interrupted = false;
+std::atomic<bool> interrupted = false, unread = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
-constexpr std::array ends{SIGINT, SIGTERM, SIGHUP};
+constexpr std::array ends{SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
 std::mutex mutex;  // protects both
 int alive = 0;
 std::array<void (*)(int), ends.size()> before;  // by signal
+std::size_t caught = 0;                         // the first ones of `ends`
 
-/// A shell and the kernel both send a SIGHUP: the second must not disturb the end.
+/// A shell and the kernel both send a SIGHUP: the second must not disturb the end. Neither must a
+/// second line that nobody reads.
 void on_end(int signal) {
   interrupted = true;
+  unread = unread || signal == SIGPIPE;
   note_early_end();  // a loop that only a signal breaks off has an end of its own
   leave_dead_terminal();
-  std::signal(signal, signal == SIGHUP ? SIG_IGN : end_at_once);
+  std::signal(signal, signal == SIGHUP || signal == SIGPIPE ? SIG_IGN : end_at_once);
 }
 
 }  // namespace
 
-InterruptFlag::InterruptFlag() {
+InterruptFlag::InterruptFlag(ClosedPipe closed_pipe) {
   const std::lock_guard lock(mutex);
   if (alive++ > 0) return;
   interrupted = false;
-  for (std::size_t i = 0; i < ends.size(); ++i) before[i] = std::signal(ends[i], on_end);
+  caught = ends.size() - (closed_pipe == ClosedPipe::kills);
+  for (std::size_t i = 0; i < caught; ++i) before[i] = std::signal(ends[i], on_end);
 }
 
 InterruptFlag::~InterruptFlag() {
   const std::lock_guard lock(mutex);
   if (--alive > 0) return;
-  for (std::size_t i = 0; i < ends.size(); ++i) std::signal(ends[i], before[i]);
+  for (std::size_t i = 0; i < caught; ++i) std::signal(ends[i], before[i]);
+  if (unread.exchange(false)) forget_unread_lines();
 }
 
 bool InterruptFlag::set() const { return interrupted; }

@@ -2,12 +2,16 @@
 
 namespace drydock::terminal {
 
+/// What becomes of a program whose output nobody reads any more: SIGPIPE kills it, as `head` wants
+/// it, or it ends well and the rest of its lines goes nowhere.
+enum class ClosedPipe : unsigned char { kills, ends };
+
 /// While one of these lives, the first Ctrl-C, SIGTERM or SIGHUP only sets the flag. A second
 /// Ctrl-C ends the program. Those that live at the same time share the flag. This is for a loop
 /// that does not wait in io_context::run(); there io::UntilStopped ends the program.
 class InterruptFlag {
  public:
-  InterruptFlag();
+  explicit InterruptFlag(ClosedPipe closed_pipe = ClosedPipe::kills);
   ~InterruptFlag();
   InterruptFlag(const InterruptFlag&) = delete;
   InterruptFlag& operator=(const InterruptFlag&) = delete;

@@ -53,6 +53,12 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
       std::fflush(stdout);
     }
   });
+  io::UntilStopped until(io, duration_s, [&] {
+    faults.stop();
+    emulator.stop();
+    if (autopilot) autopilot->stop();
+    if (dds) dds->stop();
+  });
   if (auto started = emulator.start(devices); !started) {
     throw std::runtime_error(started.error().message);
   }
@@ -68,12 +74,6 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
   faults.start([&] { emulator.wake(); }, print_line);
   std::fflush(stdout);
 
-  io::UntilStopped until(io, duration_s, [&] {
-    faults.stop();
-    emulator.stop();
-    if (autopilot) autopilot->stop();
-    if (dds) dds->stop();
-  });
   io.run();
   if (autopilot)
     for (const auto& note : autopilot->session().notes()) fmt::print("{}\n", note);

@@ -59,7 +59,8 @@ class RealTimeRun {
         participant_(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface),
         publisher_(participant_, host::bus_devices(rig), host::estimator_names(rig),
                    host::navigator_names(rig)),
-        subscriber_(participant_, host::bus_devices(rig)),
+        subscriber_(participant_, host::bus_devices(rig),
+                    {.estimators = {}, .diagnostics = false, .own_only = true}),
         run_(rig, options, *trajectory_,
              {start_, duration_s_ > 0 ? duration_s_ : usual_s, record::WhenBehind::lose,
               &publisher_}),
@@ -91,6 +92,8 @@ class RealTimeRun {
     emulator_.set_on_told([this](std::string_view device, std::string_view what) {
       if (const auto line = told_.add(device, what); !line.empty()) table_.note(line);
     });
+    // Before the first line: nobody may read it any more.
+    io::UntilStopped until(io_, time_left(), [this] { stop(); });
     if (auto started = emulator_.start(summary::emulated_devices(rig_)); !started)
       throw std::runtime_error(started.error().message);
     faults_.set_on_change([this](const fault::Episode&) { run_.tell_faults(link::now()); });
@@ -105,7 +108,6 @@ class RealTimeRun {
       table_.note(fmt::format("waits for orders on {}", steer::order_topics));
       dds_->start();
     }
-    io::UntilStopped until(io_, time_left(), [this] { stop(); });
     keep_ticking();
     io_.run();
     table_.finish();
@@ -184,6 +186,11 @@ class RealTimeRun {
   }
 
   void note_losses() {
+    if (const auto foreign = subscriber_.foreign(); foreign > 0)
+      summary_.notes.push_back(fmt::format(
+          "another program publishes devices of these names in DDS domain {}: {} of its samples "
+          "were not taken; ROS_DOMAIN_ID gives each bench a domain of its own",
+          rig_.dds_domain, foreign));
     const auto lost = emulator_.counters();
     if (lost.not_taken > 0)
       summary_.notes.push_back(fmt::format(

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "drivers/terminal/dead_terminal.hpp"
 #include "drivers/terminal/early_end.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/program/commands.hpp"
@@ -54,6 +55,7 @@ int obey(CLI::App& app, program::Command& command, int argc, char** argv) try {
 
 int main(int argc, char** argv) {
   terminal::end_at_once_on_signals();
+  terminal::hold_lines_of_pipe();
   CLI::App app{description()};
   app.name("drydock");
   app.set_version_flag("--version", DRYDOCK_VERSION);

@@ -93,8 +93,14 @@ Request parse_request(std::string_view text) {
   if (!op.is_string()) return Refused{"a request has an \"op\""};
   const json &wanted = member(request, "subscriptions"),
              &unwanted = member(request, "subscriptionIds");
-  if (op == "subscribe" && wanted.is_array()) return subscribe(wanted);
-  if (op == "unsubscribe" && unwanted.is_array()) return unsubscribe(unwanted);
+  if (op == "subscribe") {
+    if (!wanted.is_array()) return Refused{"a subscribe has a list \"subscriptions\""};
+    return subscribe(wanted);
+  }
+  if (op == "unsubscribe") {
+    if (!unwanted.is_array()) return Refused{"an unsubscribe has a list \"subscriptionIds\""};
+    return unsubscribe(unwanted);
+  }
   constexpr std::size_t enough_to_know_it = 32;
   return Refused{"\"" + op.get_ref<const std::string&>().substr(0, enough_to_know_it) +
                  "\" is not served; known: subscribe, unsubscribe"};

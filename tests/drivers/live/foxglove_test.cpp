@@ -37,6 +37,7 @@ TEST(Foxglove, WhatIsNotARequestIsRefusedWithAReason) {
   EXPECT_EQ(why(R"({"op":"subscribe","subscriptions":[7]})"),
             "subscriptions: objects with id and channelId");
   EXPECT_THAT(why(R"({"op":"advertise"})"), HasSubstr("\"advertise\" is not served"));
+  EXPECT_EQ(why(R"({"op":"subscribe"})"), "a subscribe has a list \"subscriptions\"");
 }
 
 TEST(Foxglove, BracketsInBracketsTakeNoStack) {

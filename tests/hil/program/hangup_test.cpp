@@ -95,4 +95,21 @@ TEST(Hangup, ATermSignalFinishesTheRecordingOfARunInVirtualTime) {
   EXPECT_TRUE(is_finished(recording));
 }
 
+/// `drydock run ... | head -1`: what the run was for is written, and the code is that of a signal.
+TEST(ClosedPipe, OfARunEndsItWithItsFiles) {
+  for (const char* pace : {"", "--speed max "}) {
+    const Folder folder;
+    const std::string verdict = (folder / "run.json").string();
+    const std::string recording = (folder / "run.mcap").string();
+    const std::string command = std::string("demo.toml --for 3000s --json ") + verdict +
+                                " --record " + recording + " " + pace;
+    const auto outcome =
+        program::drydock("--version; bash -c '" DRYDOCK_PROGRAM " run rig_config/rigs/" + command +
+                         "| head -1 >/dev/null; exit ${PIPESTATUS[0]}'");
+    EXPECT_EQ(outcome.exit_code, 130) << pace << outcome.output;
+    EXPECT_NE(program::read_file(verdict).find("\"interrupted\": true"), std::string::npos) << pace;
+    EXPECT_TRUE(is_finished(recording)) << pace;
+  }
+}
+
 }  // namespace hangup_test
