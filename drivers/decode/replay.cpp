@@ -137,6 +137,12 @@ void print_totals(std::FILE* err, const device::Health& health, const capture::T
              health.stream.bytes_skipped);
   const std::string damage = tally != nullptr ? capture::damage_text(*tally) : std::string();
   if (!damage.empty()) fmt::print(err, "{}\n", damage);
+  if (health.messages == 0 && health.stream.frames > 0)
+    fmt::print(err, "no measurement: {}\n",
+               health.last_error.view().empty()
+                   ? std::string_view("the driver uses none of the messages that came: drydock "
+                                      "decode --count lists them")
+                   : health.last_error.view());
 }
 
 /// Throws if the file cannot be read.
@@ -160,12 +166,13 @@ device::HealthAccount play_in_virtual_time(const link::Uri& uri, std::unique_ptr
   const Stamp start = times.first;
   shell::DeviceActor driver(std::move(device), listener, transmitter, start,
                             measurement::Provenance::replayed);
+  const std::vector<shell::DeviceActor*> drivers{&driver};
   std::unique_ptr<shell::RecordedBus> bus;
   std::unique_ptr<shell::RecordedLine> line;
   if (on_bus) {
-    bus = std::make_unique<shell::RecordedBus>(uri, driver, start, times);
+    bus = std::make_unique<shell::RecordedBus>(uri, drivers, start, times);
   } else {
-    line = std::make_unique<shell::RecordedLine>(uri, driver, start, times);
+    line = std::make_unique<shell::RecordedLine>(uri, drivers, start, times);
   }
   shell::Actor& recording = on_bus ? static_cast<shell::Actor&>(*bus) : *line;
   shell::Lockstep clock(start);

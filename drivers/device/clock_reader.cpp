@@ -11,14 +11,22 @@ using measurement::MessageTimes;
 using std::chrono::nanoseconds;
 using namespace std::chrono_literals;
 
-constexpr std::chrono::microseconds place{1};  ///< of one byte or frame
-constexpr unsigned baud_of_places = 10'000'000;
+constexpr nanoseconds place{10};  ///< of one byte or frame
+constexpr unsigned baud_of_places = 1'000'000'000;
 
-/// A byte takes one place, whatever its frame on the line was.
+/// A byte takes one place, and so do the bits of a CAN frame at most.
 DriverOptions on_places(DriverOptions options) {
-  options.baud = baud_of_places;
+  options.baud = options.bitrate = baud_of_places;
   options.byte_frame = {};
   return options;
+}
+
+/// From the time of validity, which a device tells, until it sent the message. What its bytes take
+/// at their places is below the shortest.
+nanoseconds age_of(const measurement::Origin& origin) {
+  constexpr nanoseconds shortest = 100us;
+  const nanoseconds age = origin.received_at - origin.valid_at;
+  return age < shortest ? 0ns : age;
 }
 
 /// A clock that counts within a day or a week begins anew with a small step.
@@ -68,7 +76,7 @@ RecordedTimes times_in_order(const MessageTimes& told) {
 boost::system::result<ClockReader, DriverError> ClockReader::make(DriverOptions options,
                                                                   Travels travels) {
   if (travels == Travels::as_frames) {
-    auto driver = make_frame_driver(options);
+    auto driver = make_frame_driver(on_places(std::move(options)));
     if (!driver) return driver.error();
     return ClockReader(AnyDriver(std::move(*driver)));
   }
@@ -94,11 +102,15 @@ RecordedTimes ClockReader::finish() {
 
 void ClockReader::publish(const Measurement& measurement) {
   const measurement::Origin& origin = measurement::origin_of(measurement);
+  const auto through = static_cast<std::uint64_t>(origin.received_at.time_since_epoch() / place);
+  if (places_.empty() || through > places_.back()) places_.push_back(through);
   if (!origin.device_time) return;
-  const auto through =
-      static_cast<std::uint64_t>(origin.received_at.time_since_epoch() / nanoseconds{place});
-  if (told_.empty() || through > told_.back().through)
-    told_.push_back({through, *origin.device_time});
+  if (!told_.empty() && through <= told_.back().through) return;
+  nanoseconds sent_at = *origin.device_time + age_of(origin);
+  // Not every message tells its age: such a one was sent behind the one before all the same.
+  if (!told_.empty() && *origin.device_time >= clock_) sent_at = std::max(sent_at, told_.back().at);
+  clock_ = *origin.device_time;
+  told_.push_back({through, sent_at});
 }
 
 }  // namespace drydock::device

@@ -18,7 +18,8 @@ struct RecordedTimes {
 };
 
 /// Runs a driver over a recording without times and reads the device's clock in what it publishes.
-/// Each byte, or frame, counts as one microsecond, so received_at tells the place of a message.
+/// Each byte, or frame, counts as 10 ns, so received_at tells the place of a message. A message was
+/// sent at the time that its device tells, plus its age.
 class ClockReader final : private Output {
  public:
   /// Fails if no driver speaks the protocol for this kind of sensor.
@@ -29,6 +30,8 @@ class ClockReader final : private Output {
   void feed(const wire::CanFrame& frame);
   /// The recording is at its end.
   RecordedTimes finish();
+  /// Where its messages ended, those that tell no time too: bytes or frames, rising.
+  const std::vector<std::uint64_t>& places() const { return places_; }
 
  private:
   using AnyDriver = std::variant<std::unique_ptr<ByteDriver>, std::unique_ptr<FrameDriver>>;
@@ -41,6 +44,8 @@ class ClockReader final : private Output {
   AnyDriver driver_;
   Stamp now_{};
   measurement::MessageTimes told_;
+  std::chrono::nanoseconds clock_{};  ///< that the last of them told
+  std::vector<std::uint64_t> places_;
 };
 
 /// Makes of what a clock told times that never fall. A time of day and a time of week may begin

@@ -31,6 +31,11 @@ struct RateChannel {
   }
 };
 
+bool is_no_text(std::uint8_t byte) {
+  const bool printed = byte >= 0x20 && byte <= 0x7E;
+  return !printed && byte != '\r' && byte != '\n' && byte != '\t';
+}
+
 /// Bytes for a protocol that is not known: then the error says what is allowed.
 Travels travels_of(const DriverOptions& options) {
   if (options.description) return options.description->facts.travels;
@@ -112,6 +117,11 @@ void Device::stop(Stamp now, std::string_view reason) {
   tell(life_cycle_.stop(now, reason));
 }
 
+void Device::end_of_recording(Stamp now) {
+  finish(now);
+  life_cycle_.end_of_recording();
+}
+
 void Device::finish(Stamp now) {
   now_ = now;
   driver().finish(*this);
@@ -121,6 +131,7 @@ void Device::receive(wire::Bytes bytes, Stamp at) {
   auto* byte_driver = std::get_if<std::unique_ptr<ByteDriver>>(&driver_);
   if (!byte_driver || !life_cycle_.uses_link()) return;
   now_ = at;
+  bytes_not_text_ += static_cast<std::uint64_t>(std::ranges::count_if(bytes, is_no_text));
   (*byte_driver)->receive(bytes, at, *this);
 }
 
@@ -205,6 +216,7 @@ Vitals Device::vitals() const {
           .last_message_at = last_message_at_,
           .last_error = last_error_,
           .reopened = opened > 0 ? opened - 1 : 0,
+          .bytes_not_text = bytes_not_text_,
           .error_frames = error_frames_,
           .impossible = impossible_};
 }

@@ -55,6 +55,11 @@ class Device final : private Output {
   /// From now on it discards all data that its driver wants to send.
   void listen_only() { listens_only_ = true; }
   bool listens_only() const { return listens_only_; }
+  /// Its link has other devices too: only the silence of all opens it again. The shell calls
+  /// give_up() then.
+  void share_link() { life_cycle_.share_link(); }
+  std::optional<Stamp> gives_up_at() const { return life_cycle_.gives_up_at(); }
+  void give_up(Stamp now) { tell(life_cycle_.give_up(now)); }
 
   void start(Stamp now);
   void opened(Stamp now, measurement::Provenance provenance);
@@ -63,6 +68,8 @@ class Device final : private Output {
   void open_failed(Stamp now, std::string_view reason);
   void link_lost(Stamp now, std::string_view reason);
   void stop(Stamp now, std::string_view reason = "stopped");
+  /// The recording that feeds it has nothing more. It closes where it would have become stale.
+  void end_of_recording(Stamp now);
 
   void receive(wire::Bytes bytes, Stamp at);  ///< `at`: arrival of the last byte
   void receive(const wire::CanFrame& frame, Stamp at);
@@ -124,7 +131,7 @@ class Device final : private Output {
   Reason link_note_;
   std::uint64_t can_dropped_ = 0;
   std::uint64_t error_frames_ = 0;
-  std::uint64_t refused_ = 0, impossible_ = 0;
+  std::uint64_t refused_ = 0, impossible_ = 0, bytes_not_text_ = 0;
 };
 
 }  // namespace drydock::device

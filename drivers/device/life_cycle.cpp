@@ -102,15 +102,15 @@ LifeCycle::Change LifeCycle::tick(Stamp now) {
   if (!due || now < *due) return {};
   if (state_ == State::backing_off) return enter(State::opening, now, "opening the link again");
 
-  Reason why = silence(now);
-  if (state_ != State::streaming) {
-    if (!options_.reopen_in_place) return back_off(now, why.view());
-    reopening_ = true;
-    return {};
-  }
+  if (state_ != State::streaming) return give_up(now);
+  if (recording_ended_) return enter(State::closed, now, "end of the recording");
 
+  Reason why = silence(now);
   if (options_.reopen_in_place) {
     why += rate_is_searched;
+  } else if (options_.reopen_when_quiet && shares_link_) {
+    why += "; the link is opened again when all devices on it are quiet for ";
+    why += in_words(options_.reopen_after).view();
   } else if (options_.reopen_when_quiet) {
     why += "; opening the link again in ";
     why += in_words(options_.reopen_after).view();
@@ -120,6 +120,12 @@ LifeCycle::Change LifeCycle::tick(Stamp now) {
     why += "; waiting for the next";
   }
   return enter(State::stale, now, why.view());
+}
+
+LifeCycle::Change LifeCycle::give_up(Stamp now) {
+  if (!options_.reopen_in_place) return back_off(now, silence(now).view());
+  reopening_ = true;
+  return {};
 }
 
 }  // namespace drydock::device

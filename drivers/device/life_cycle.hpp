@@ -65,6 +65,13 @@ class LifeCycle {
   Change link_lost(Stamp now, std::string_view reason);
   Change stop(Stamp now, std::string_view reason = "stopped");
   Change tick(Stamp now);  ///< at or after deadline()
+  /// Other devices use the link too: the silence of one does not open it again.
+  void share_link() { shares_link_ = true; }
+  /// When its silence is long enough to open the link again. Empty: it is heard, or never.
+  std::optional<Stamp> gives_up_at() const;
+  Change give_up(Stamp now);  ///< for a shared link, at or after gives_up_at() of all on it
+  /// Nothing more comes: the next silence is the end of the recording, not a fault.
+  void end_of_recording() { recording_ended_ = true; }
   /// The clock that gives the stamps was changed. Durations go on as if it had not been.
   void clock_stepped(std::chrono::nanoseconds step);
 
@@ -92,7 +99,8 @@ class LifeCycle {
   Reason why_;
   bool link_open_ = false;
   bool reopening_ = false;  ///< in place, and not yet open
-  Stamp listens_since_{};   ///< for a line that is opened again in place
+  bool shares_link_ = false, recording_ended_ = false;
+  Stamp listens_since_{};  ///< for a line that is opened again in place
   std::uint32_t opened_count_ = 0;
   std::chrono::nanoseconds next_back_off_{0};  ///< zero: the first back-off
   std::chrono::nanoseconds waits_{0};          ///< length of the current back-off
@@ -105,11 +113,15 @@ inline std::optional<Stamp> LifeCycle::deadline() const {
     case State::streaming: return last_message_ + options_.stale_after;
     case State::backing_off: return since_ + waits_;
     case State::waiting:
-    case State::stale:
-      if (!options_.reopen_when_quiet || reopening_) return {};
-      return std::max(since_, listens_since_) + options_.reopen_after;
+    case State::stale: return shares_link_ ? std::nullopt : gives_up_at();
   }
   return {};
+}
+
+inline std::optional<Stamp> LifeCycle::gives_up_at() const {
+  if (state_ != State::waiting && state_ != State::stale) return {};
+  if (!options_.reopen_when_quiet || reopening_) return {};
+  return std::max(since_, listens_since_) + options_.reopen_after;
 }
 
 }  // namespace drydock::device

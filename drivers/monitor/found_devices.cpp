@@ -14,6 +14,7 @@ std::vector<std::unique_ptr<device::Device>> devices_of(const probe::ProbeReport
     options.link = found.link;
     options.driver.kind = found.kind;
     options.driver.protocol = found.protocol;
+    options.driver.description = found.description;
     options.driver.address = found.address;
     options.driver.device = static_cast<std::uint16_t>(devices.size());
     const auto uri = link::parse_uri(found.link).value();

@@ -112,8 +112,9 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices,
     }
     return views;
   };
-  MonitorLoop loop(options, rig.name, views_now,
-                   {.show = [&](const DeviceView& view) { return wires.show(view.link); }});
+  MonitorLoop loop(options, rig.name, views_now, {.show = [&](const DeviceView& view) {
+                     return wires.show(view.link, view.protocol);
+                   }});
   host::Followers followers;
   followers.add(latest);
   followers.add(wires);

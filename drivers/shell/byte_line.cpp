@@ -1,6 +1,7 @@
 #include "drivers/shell/byte_line.hpp"
 
 #include <utility>
+#include <vector>
 
 #include "drivers/link/file.hpp"
 #include "drivers/shell/recording_clock.hpp"
@@ -19,11 +20,13 @@ link::Uri ByteLine::next_uri() {
   return next;
 }
 
-/// A recording at a pace is read in the time of the device's own clock, if it has one.
+/// A recording at a pace is read in the time of the clock that one of its devices tells, if any.
 ByteLine::Opened ByteLine::open(const link::Uri& uri) {
   const bool paced = uri.recorded() && uri.speed().value_or(0) > 0;
   if (!paced || devices().empty()) return LinkedLine::open(uri);
-  auto clock = clock_of(uri, devices().front()->options().driver, device::Travels::as_bytes);
+  std::vector<device::DriverOptions> drivers;
+  for (const device::Device* device : devices()) drivers.push_back(device->options().driver);
+  auto clock = clock_of(uri, drivers, device::Travels::as_bytes);
   return link::open_file(executor(), uri, link::Side::driver, std::move(clock.times.messages));
 }
 

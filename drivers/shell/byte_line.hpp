@@ -5,7 +5,7 @@
 
 namespace drydock::shell {
 
-/// A serial line, socket or file with its one device.
+/// A serial line, socket or file with its devices.
 class ByteLine final : public LinkedLine<link::ByteLink> {
  public:
   using LinkedLine::LinkedLine;

@@ -18,8 +18,8 @@ class DeviceActor final : public Actor {
               device::Transmitter& transmitter, Stamp start,
               measurement::Provenance provenance = measurement::Provenance::emulated);
 
-  /// For a link that only this device uses: `raw` sees all its traffic. `raw` must outlive the
-  /// actor.
+  /// `raw` sees all traffic of its link; of the devices on one link only one is tapped. `raw` must
+  /// outlive the actor.
   void tap(RawListener& raw) { raw_ = &raw; }
 
   void receive(wire::Bytes bytes, Stamp at) {
@@ -39,6 +39,12 @@ class DeviceActor final : public Actor {
   std::optional<Stamp> deadline() const override;
   void act(Stamp now) override;
 
+  void share_link() { device_->share_link(); }
+  /// The recording behind the link has nothing more.
+  void end_of_recording(Stamp now) {
+    device_->end_of_recording(now);
+    woken();
+  }
   void stop(Stamp now) {
     device_->stop(now);
     woken();

@@ -1,5 +1,6 @@
 #include "drivers/shell/line.hpp"
 
+#include <algorithm>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/error.hpp>
@@ -23,6 +24,8 @@ void Line::add(Device& device, device::Listener& listener) {
   if (uri_.only_listens()) device.listen_only();
   device.connect(listener, *this);
   devices_.push_back(&device);
+  if (devices_.size() < 2) return;
+  for (Device* one : devices_) one->share_link();
 }
 
 void Line::start() {
@@ -97,8 +100,9 @@ Line::Run Line::keep_time() {
     for (Device* device : devices_) {
       const auto due = device->deadline();
       if (due && now >= *due) device->tick(now);
-      close_wanted = close_wanted || device->wants_close();
     }
+    give_up_together(now);
+    for (const Device* device : devices_) close_wanted = close_wanted || device->wants_close();
     if (close_wanted && open_) close_link();
     if (open_wanted()) to_open_->notify();
   }
@@ -124,8 +128,27 @@ bool Line::open_wanted() const {
   return false;
 }
 
+/// When the last of several devices has been silent for long enough. Empty: one is heard, or the
+/// line has one device, which decides for itself.
+std::optional<Stamp> Line::all_give_up_at() const {
+  if (devices_.size() < 2) return {};
+  Stamp last{};
+  for (const Device* device : devices_) {
+    const auto at = device->gives_up_at();
+    if (!at) return {};
+    last = std::max(last, *at);
+  }
+  return last;
+}
+
+void Line::give_up_together(Stamp now) {
+  const auto at = all_give_up_at();
+  if (!at || now < *at) return;
+  for (Device* device : devices_) device->give_up(now);
+}
+
 std::optional<Stamp> Line::earliest_deadline() const {
-  std::optional<Stamp> earliest;
+  std::optional<Stamp> earliest = all_give_up_at();
   for (const Device* device : devices_)
     earliest = measurement::earlier(earliest, device->deadline());
   return earliest;

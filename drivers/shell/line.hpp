@@ -14,7 +14,8 @@
 namespace drydock::shell {
 
 /// Serves one link for its devices in real time: opens it when a device wants it, reads until it is
-/// lost, and ticks the devices at their deadlines. Subclasses handle the content of the link.
+/// lost, and ticks the devices at their deadlines. If several devices share it, it is opened again
+/// when all of them are silent. Subclasses handle the content of the link.
 class Line : protected device::Transmitter {
  public:
   Line(boost::asio::io_context& io, link::Uri uri, RawListener* raw);
@@ -57,6 +58,8 @@ class Line : protected device::Transmitter {
   Run keep_time();
   bool open_wanted() const;
   std::optional<Stamp> earliest_deadline() const;
+  std::optional<Stamp> all_give_up_at() const;
+  void give_up_together(Stamp now);
 
   boost::asio::io_context& io_;
   link::Uri uri_;

@@ -7,6 +7,15 @@
 #include "drivers/shell/byte_line.hpp"
 
 namespace drydock::shell {
+namespace {
+
+std::unique_ptr<Line> make_line(boost::asio::io_context& io, const link::Uri& uri, RawListener* raw,
+                                bool is_bus) {
+  if (is_bus) return std::make_unique<BusLine>(io, uri, raw);
+  return std::make_unique<ByteLine>(io, uri, raw);
+}
+
+}  // namespace
 
 RealTime::RealTime(boost::asio::io_context& io,
                    std::vector<std::unique_ptr<device::Device>> devices, device::Listener& listener,
@@ -14,17 +23,12 @@ RealTime::RealTime(boost::asio::io_context& io,
     : devices_(std::move(devices)) {
   for (const auto& device : devices_) {
     const link::Uri uri = link::parse_uri(device->options().link).value();
-    if (!device->on_bus()) {
-      lines_.push_back(std::make_unique<ByteLine>(io, uri, raw));
-      lines_.back()->add(*device, listener);
-      continue;
+    auto line =
+        std::ranges::find_if(lines_, [&](const auto& one) { return one->uri().text == uri.text; });
+    if (line == lines_.end()) {
+      line = lines_.insert(lines_.end(), make_line(io, uri, raw, device->on_bus()));
     }
-    auto bus = std::ranges::find_if(lines_,
-                                    [&](const auto& line) { return line->uri().text == uri.text; });
-    if (bus == lines_.end()) {
-      bus = lines_.insert(lines_.end(), std::make_unique<BusLine>(io, uri, raw));
-    }
-    (*bus)->add(*device, listener);
+    (*line)->add(*device, listener);
   }
 }
 

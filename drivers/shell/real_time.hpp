@@ -14,7 +14,7 @@ class Line;
 /// Runs devices on real links with the host's clock. Each serial line or bus has two coroutines:
 /// one opens it, reads until it is lost, backs off and opens it again; the other serves the
 /// deadlines of the devices. Everything runs on the thread of the io_context. Devices that name the
-/// same CAN link share one bus.
+/// same link share one port, one connection or one bus.
 class RealTime {
  public:
   /// The listeners must outlive the shell. Throws std::invalid_argument for a bad link URI;

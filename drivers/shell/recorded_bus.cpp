@@ -11,14 +11,10 @@ namespace {
 constexpr std::chrono::microseconds frame_on_a_full_bus{560};
 }  // namespace
 
-RecordedBus::RecordedBus(const link::Uri& uri, DeviceActor& driver, Stamp start)
-    : RecordedBus(uri, driver, start,
-                  clock_of(uri, driver.device().options().driver, device::Travels::as_frames)) {}
-
-RecordedBus::RecordedBus(const link::Uri& uri, DeviceActor& driver, Stamp start,
+RecordedBus::RecordedBus(const link::Uri& uri, std::vector<DeviceActor*> drivers, Stamp start,
                          RecordingClock clock)
     : file_(link::capture_of(uri)),
-      driver_(driver),
+      drivers_(std::move(drivers)),
       clock_(std::move(clock)),
       start_(start),
       due_(start) {
@@ -33,8 +29,10 @@ std::optional<Stamp> RecordedBus::deadline() const {
 }
 
 void RecordedBus::act(Stamp now) {
-  driver_.receive(*frame_, now);
+  for (DeviceActor* driver : drivers_) driver->receive(*frame_, now);
   read_next();
+  if (frame_) return;
+  for (DeviceActor* driver : drivers_) driver->end_of_recording(now);
 }
 
 std::vector<std::string> RecordedBus::notes() const {

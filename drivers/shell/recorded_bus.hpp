@@ -10,16 +10,15 @@
 
 namespace drydock::shell {
 
-/// A capture of a CAN bus (`file:` link) in the lockstep shell. Its frames reach the driver at the
+/// A capture of a CAN bus (`file:` link) in the lockstep shell. Its frames reach the drivers at the
 /// capture's own times, counted from `start`. In a capture without times they come when the
 /// device's clock says. Without such a clock they follow each other as on a bus of 250 kbit/s that
-/// is never idle. At the end of the file the bus falls silent.
+/// is never idle. At the end of the file the bus falls silent, which is no fault of the devices.
 class RecordedBus final : public Actor {
  public:
   /// Throws std::runtime_error with one line if the file cannot be read or is no capture.
-  RecordedBus(const link::Uri& uri, DeviceActor& driver, Stamp start, RecordingClock clock);
-  /// With the clock that the recording has for this driver.
-  RecordedBus(const link::Uri& uri, DeviceActor& driver, Stamp start);
+  RecordedBus(const link::Uri& uri, std::vector<DeviceActor*> drivers, Stamp start,
+              RecordingClock clock);
 
   std::optional<Stamp> deadline() const override;
   void act(Stamp now) override;
@@ -33,7 +32,7 @@ class RecordedBus final : public Actor {
   Stamp due_of(const capture::Record& record);
 
   capture::CaptureFile file_;
-  DeviceActor& driver_;
+  std::vector<DeviceActor*> drivers_;
   std::optional<wire::CanFrame> frame_;  ///< the next frame; empty at the end
   RecordingClock clock_;
   std::size_t message_ = 0;   ///< the next of the device's clock

@@ -19,14 +19,10 @@ void refuse_no_line(const link::Uri& uri) {
 
 }  // namespace
 
-RecordedLine::RecordedLine(const link::Uri& uri, DeviceActor& driver, Stamp start)
-    : RecordedLine(uri, driver, start,
-                   clock_of(uri, driver.device().options().driver, device::Travels::as_bytes)) {}
-
-RecordedLine::RecordedLine(const link::Uri& uri, DeviceActor& driver, Stamp start,
+RecordedLine::RecordedLine(const link::Uri& uri, std::vector<DeviceActor*> drivers, Stamp start,
                            RecordingClock clock)
     : file_(uri.target, uri.text_of("format") == "raw", std::string(uri.text_of("interface"))),
-      driver_(driver),
+      drivers_(std::move(drivers)),
       start_(start),
       clock_(std::move(clock)),
       rate_(uri.line_rate().value_or(wire::LineRate{})) {
@@ -50,16 +46,24 @@ void RecordedLine::begin_packets(const link::Uri& uri) {
   next_ = std::max(start_, due());
 }
 
+void RecordedLine::deliver(wire::Bytes bytes, Stamp now) {
+  for (DeviceActor* driver : drivers_) driver->receive(bytes, now);
+}
+
 /// The last line of a recording may have no end, and a sentence waits for it.
 void RecordedLine::end(Stamp now) {
   constexpr std::uint8_t line_end[] = {'\n'};
   next_.reset();
-  if (driver_.device().vitals().held_bytes > 0) driver_.receive(wire::Bytes(line_end), now);
+  if (std::ranges::any_of(drivers_, [](const DeviceActor* driver) {
+        return driver->device().vitals().held_bytes > 0;
+      }))
+    deliver(line_end, now);
+  for (DeviceActor* driver : drivers_) driver->end_of_recording(now);
 }
 
 /// A read that came before the one in front of it comes at once.
 void RecordedLine::act_on_packet(Stamp now) {
-  driver_.receive(read_.bytes, now);
+  deliver(read_.bytes, now);
   next_.reset();
   const auto following = packets_->next();
   if (!following) return end(now);
@@ -77,7 +81,7 @@ void RecordedLine::act(Stamp now) {
   const std::size_t n = file_.read(chunk_);
   if (n == 0) return end(now);
   delivered_ += n;
-  driver_.receive(wire::Bytes(chunk_).first(n), now);
+  deliver(wire::Bytes(chunk_).first(n), now);
   if (message_ < clock_.times.messages.size()) ++message_;
   schedule(now);
 }

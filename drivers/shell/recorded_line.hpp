@@ -11,15 +11,14 @@
 namespace drydock::shell {
 
 /// A recording of bytes (`file:` link) in the lockstep shell. In virtual time each message reaches
-/// the driver when the device's clock says, counted from `start`; without such a clock bytes come
-/// at the line's rate, and those of a file with times (pcap, a logger's) at these. At the end of the file the
-/// line falls silent.
+/// the drivers when the device's clock says, counted from `start`; without such a clock bytes come
+/// at the line's rate, and those of a file with times (pcap, a logger's) at these. At the end of
+/// the file the line falls silent, which is no fault of the devices.
 class RecordedLine final : public Actor {
  public:
   /// Throws std::runtime_error with one line if the file cannot be opened, or has several lines.
-  RecordedLine(const link::Uri& uri, DeviceActor& driver, Stamp start, RecordingClock clock);
-  /// With the clock that the recording has for this driver.
-  RecordedLine(const link::Uri& uri, DeviceActor& driver, Stamp start);
+  RecordedLine(const link::Uri& uri, std::vector<DeviceActor*> drivers, Stamp start,
+               RecordingClock clock);
 
   std::optional<Stamp> deadline() const override { return next_; }
   void act(Stamp now) override;
@@ -30,6 +29,7 @@ class RecordedLine final : public Actor {
  private:
   void begin_packets(const link::Uri& uri);
   void act_on_packet(Stamp now);
+  void deliver(wire::Bytes bytes, Stamp now);
   void end(Stamp now);
   Stamp due() const;  ///< of read_
   /// Bytes of the next step: to the end of the message that the device's clock says, else a few.
@@ -37,7 +37,7 @@ class RecordedLine final : public Actor {
   void schedule(Stamp now);
 
   capture::ByteFile file_;
-  DeviceActor& driver_;
+  std::vector<DeviceActor*> drivers_;
   Stamp start_;
   RecordingClock clock_;
   wire::LineRate rate_;      ///< as the URI tells it

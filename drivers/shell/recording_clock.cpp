@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "drivers/capture/arrival_times.hpp"
 #include "drivers/capture/byte_file.hpp"
 #include "drivers/capture/capture_file.hpp"
+#include "drivers/device/shared_times.hpp"
 #include "drivers/link/can/frame_file.hpp"
 
 namespace drydock::shell {
@@ -18,27 +20,90 @@ using device::DriverOptions;
 using device::RecordedTimes;
 using device::Travels;
 
-RecordedTimes times_of_bytes(const link::Uri& uri, ClockReader reader) {
+void read_bytes(const link::Uri& uri, std::vector<ClockReader>& readers) {
   capture::ByteFile file(uri.target, uri.text_of("format") == "raw",
                          std::string(uri.text_of("interface")));
   std::array<std::uint8_t, 64> piece;
-  while (const std::size_t size = file.read(piece)) reader.feed(wire::Bytes(piece).first(size));
+  while (const std::size_t size = file.read(piece))
+    for (auto& reader : readers) reader.feed(wire::Bytes(piece).first(size));
   constexpr std::uint8_t line_end[] = {'\n'};  // the last line of a recording may have no end
-  reader.feed(wire::Bytes(line_end));
-  return reader.finish();
+  for (auto& reader : readers) reader.feed(wire::Bytes(line_end));
 }
 
-RecordedTimes times_of_frames(const link::Uri& uri, ClockReader reader) {
+void read_frames(const link::Uri& uri, std::vector<ClockReader>& readers) {
   capture::CaptureFile file = link::capture_of(uri);
-  while (const auto record = file.next()) reader.feed(record->frame);
-  return reader.finish();
+  while (const auto record = file.next())
+    for (auto& reader : readers) reader.feed(record->frame);
 }
 
-RecordedTimes device_times(const link::Uri& uri, const DriverOptions& driver, Travels travels) {
-  auto reader = ClockReader::make(driver, travels);
-  if (!reader) return {};
-  return travels == Travels::as_frames ? times_of_frames(uri, std::move(*reader))
-                                       : times_of_bytes(uri, std::move(*reader));
+struct Told {
+  device::Kind by;
+  RecordedTimes times;
+};
+
+/// What drivers read in one recording.
+struct Read {
+  std::vector<Told> told;              ///< by driver
+  std::vector<device::Places> places;  ///< of their messages
+};
+
+Read read_all(const link::Uri& uri, std::span<const DriverOptions> drivers, Travels travels) {
+  Read all;
+  std::vector<ClockReader> readers;
+  for (const auto& driver : drivers) {
+    auto reader = ClockReader::make(driver, travels);
+    if (!reader) continue;
+    readers.push_back(std::move(*reader));
+    all.told.push_back({driver.kind, {}});
+  }
+  if (readers.empty()) return all;
+  travels == Travels::as_frames ? read_frames(uri, readers) : read_bytes(uri, readers);
+  for (std::size_t i = 0; i < readers.size(); ++i) {
+    all.told[i].times = readers[i].finish();
+    if (!readers[i].places().empty()) all.places.push_back(readers[i].places());
+  }
+  return all;
+}
+
+/// A receiver whose sentences or frames may stand between those of the driver's device.
+DriverOptions receiver_beside(const DriverOptions& driver, Travels travels) {
+  DriverOptions receiver;
+  receiver.kind = device::Kind::gnss;
+  receiver.protocol =
+      driver.description && travels == Travels::as_bytes ? "nmea0183" : driver.protocol;
+  return receiver;
+}
+
+/// The clock of the first GNSS receiver, else of the first device that tells its time. Null: none.
+RecordedTimes* clock_in(std::vector<Told>& all) {
+  RecordedTimes* first = nullptr;
+  for (auto& told : all) {
+    if (told.times.messages.empty()) continue;
+    if (told.by == device::Kind::gnss) return &told.times;
+    if (first == nullptr) first = &told.times;
+  }
+  return first;
+}
+
+/// Fills in the times that the devices tell; none: they stay empty.
+void read_device_times(RecordingClock& clock, const link::Uri& uri,
+                       std::span<const DriverOptions> drivers, Travels travels) {
+  Read own = read_all(uri, drivers, travels);
+  RecordedTimes* told = clock_in(own.told);
+  if (told != nullptr && drivers.size() == 1) {
+    clock.times = std::move(*told);
+    return;
+  }
+  Read beside;
+  if (told == nullptr && !own.places.empty()) {
+    const DriverOptions receiver = receiver_beside(drivers.front(), travels);
+    beside = read_all(uri, std::span(&receiver, 1), travels);
+    told = clock_in(beside.told);
+    clock.told_by_receiver = told != nullptr;
+  }
+  if (told == nullptr) return;
+  clock.times = std::move(*told);
+  clock.times.messages = device::times_at(clock.times.messages, own.places);
 }
 
 capture::ArrivalTimes arrival_times(const link::Uri& uri) {
@@ -87,7 +152,9 @@ std::string RecordingClock::in_words() const {
     case Pace::arrival: return "times: of the capture";
     case Pace::device:
       return fmt::format(
-          "times: of the device's own clock{}",
+          "times: of {}{}",
+          told_by_receiver ? "the clock that a GNSS receiver on its line tells"
+                           : "the device's own clock",
           times.jumps > 0 ? fmt::format(", which jumped {} times", times.jumps) : "");
     case Pace::line: break;
   }
@@ -96,7 +163,7 @@ std::string RecordingClock::in_words() const {
 }
 
 std::optional<double> RecordingClock::usual_rate_hz() const {
-  if (pace != Pace::device) return {};
+  if (pace != Pace::device || told_by_receiver) return {};
   return 1 / measurement::seconds(times.usual_step);
 }
 
@@ -105,7 +172,8 @@ double RecordingClock::seconds() const {
   return messages.empty() ? 0 : measurement::seconds(messages.back().at - messages.front().at);
 }
 
-RecordingClock clock_of(const link::Uri& uri, const DriverOptions& driver, Travels travels) {
+RecordingClock clock_of(const link::Uri& uri, std::span<const DriverOptions> drivers,
+                        Travels travels) {
   const std::string_view wanted = uri.text_of("clock");
   RecordingClock clock;
   if (travels == Travels::as_frames && wanted != "device") {
@@ -118,7 +186,7 @@ RecordingClock clock_of(const link::Uri& uri, const DriverOptions& driver, Trave
   if (travels == Travels::as_bytes && wanted != "device") {
     if (const auto first = first_time(uri)) {
       if (wanted != "line" && has_whole_seconds(uri))
-        clock.times = device_times(uri, driver, travels);
+        read_device_times(clock, uri, drivers, travels);
       if (!clock.times.messages.empty()) return by_device(std::move(clock));
       clock.pace = Pace::arrival;
       clock.first = begin_of_file(uri, *first);
@@ -126,7 +194,7 @@ RecordingClock clock_of(const link::Uri& uri, const DriverOptions& driver, Trave
     }
   }
   if (wanted == "line") return clock;
-  clock.times = device_times(uri, driver, travels);
+  read_device_times(clock, uri, drivers, travels);
   return clock.times.messages.empty() ? clock : by_device(std::move(clock));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "drivers/device/clock_reader.hpp"
@@ -21,6 +22,7 @@ enum class Pace : std::uint8_t {
 struct RecordingClock {
   Pace pace = Pace::line;
   device::RecordedTimes times{};  ///< pace device
+  bool told_by_receiver = false;  ///< the device tells no time: a GNSS receiver on its line does
   Stamp first{};                  ///< the first time, UTC where the clock is; line: zero
 
   std::string in_words() const;
@@ -31,8 +33,14 @@ struct RecordingClock {
 
 /// Reads a recording once to its end and decides. The key `clock` of the URI (`line`) forbids the
 /// device's clock, `clock=device` prefers it to the capture's times. Frames that came faster than
-/// any bus carries them have no times of arrival. A file that cannot be read has pace line.
-RecordingClock clock_of(const link::Uri& uri, const device::DriverOptions& driver,
+/// any bus carries them have no times of arrival. A file that cannot be read has pace line. The
+/// clock is that of the whole file: where several devices read it, one of them tells the time for
+/// all, first a GNSS receiver; where none does, a receiver that no device reads.
+RecordingClock clock_of(const link::Uri& uri, std::span<const device::DriverOptions> drivers,
                         device::Travels travels);
+inline RecordingClock clock_of(const link::Uri& uri, const device::DriverOptions& driver,
+                               device::Travels travels) {
+  return clock_of(uri, std::span(&driver, 1), travels);
+}
 
 }  // namespace drydock::shell

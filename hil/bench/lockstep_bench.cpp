@@ -6,8 +6,6 @@
 #include <stdexcept>
 
 #include "drivers/host/rig_bus.hpp"
-#include "drivers/shell/recorded_bus.hpp"
-#include "drivers/shell/recorded_line.hpp"
 #include "drivers/shell/recorded_starts.hpp"
 #include "drivers/shell/rig_devices.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
@@ -40,18 +38,6 @@ pipeline::Pipeline pipeline_in_step(const rig_config::Rig& rig, setup::Outside o
   outside.lockstep = true;
   outside.devices = host::bus_devices(rig);
   return or_throw(pipeline::make_pipeline(setup::pipeline_options(rig, &outside), listener));
-}
-
-/// The clocks of the devices whose links are recordings; the others' are of no use.
-std::vector<shell::RecordingClock> recordings_of(
-    const std::vector<std::unique_ptr<device::Device>>& drivers) {
-  std::vector<shell::RecordingClock> clocks(drivers.size());
-  for (std::size_t i = 0; i < drivers.size(); ++i) {
-    const auto uri = link::parse_uri(drivers[i]->options().link);
-    if (uri && uri->recorded())
-      clocks[i] = shell::clock_of(*uri, drivers[i]->options().driver, drivers[i]->travels());
-  }
-  return clocks;
 }
 
 }  // namespace
@@ -91,10 +77,13 @@ LockstepBench::LockstepBench(const rig_config::Rig& rig, const motion::Trajector
       teller_(follower),
       pipeline_(pipeline_in_step(rig, outside, teller_)) {
   auto drivers = or_throw(shell::make_devices(rig));
-  const auto recordings = recordings_of(drivers);
-  const auto starts = shell::recorded_starts(recordings, start_);
-  for (std::size_t i = 0; i < drivers.size(); ++i)
-    add(rig.devices[i], std::move(drivers[i]), recordings[i], starts[i]);
+  const auto files = shell::played_files(drivers);
+  const auto starts = shell::recorded_starts(files, start_);
+  for (std::size_t i = 0; i < drivers.size(); ++i) {
+    add(rig.devices[i], std::move(drivers[i]));
+    for (std::size_t file = 0; file < files.size(); ++file)
+      if (files[file].devices.back() == i) play(files[file], starts[file]);
+  }
   for (auto& bus : buses_) clock_.add(*bus.second.bus);
   if (pilot::is_wanted(rig)) add_pilot(std::move(outside.say));
 }
@@ -119,9 +108,27 @@ void LockstepBench::add_pilot(setup::Outside::Say say) {
   clock_.add(*pilot_);
 }
 
+void LockstepBench::stop() {
+  stopping_ = true;
+  for (const auto& actor : actors_) actor->stop(now());
+}
+
+bool LockstepBench::is_played() const {
+  return lines_.empty() && buses_.empty() && std::ranges::none_of(recordings_, [](const auto& one) {
+           return one->deadline().has_value();
+         });
+}
+
+void LockstepBench::play(const shell::PlayedFile& file, Stamp begin) {
+  std::vector<shell::DeviceActor*> readers;
+  for (const std::size_t i : file.devices) readers.push_back(actors_[i].get());
+  readers.front()->tap(follower_);
+  recordings_.push_back(shell::player_of(file, std::move(readers), begin));
+  clock_.add(*recordings_.back());
+}
+
 void LockstepBench::add(const rig_config::DeviceConfig& config,
-                        std::unique_ptr<device::Device> device, const shell::RecordingClock& clock,
-                        measurement::Stamp begin) {
+                        std::unique_ptr<device::Device> device) {
   const auto uri = link::parse_uri(config.link);
   if (!uri) throw std::runtime_error(uri.error().message);
   to_lines_.push_back(std::make_unique<ToLine>(clock_, config.link, follower_));
@@ -130,40 +137,56 @@ void LockstepBench::add(const rig_config::DeviceConfig& config,
       std::move(device), listener, *to_lines_.back(), start_, host::provenance_of(config.link)));
   auto& actor = *actors_.back();
   clock_.add(actor);
-  if (uri->recorded()) {
-    actor.tap(follower_);
-    if (actor.device().on_bus()) {
-      recordings_.push_back(std::make_unique<shell::RecordedBus>(*uri, actor, begin, clock));
-    } else {
-      recordings_.push_back(std::make_unique<shell::RecordedLine>(*uri, actor, begin, clock));
-    }
-    clock_.add(*recordings_.back());
-  } else if (!uri->emulated()) {
+  if (uri->recorded()) return;  // play() waits for all devices on it
+  if (!uri->emulated()) {
     throw std::runtime_error(fmt::format(
         "{}:{}: device \"{}\": {} is real hardware, which has no virtual time; "
         "allowed with --speed max: pty, memory, memory-can, can:auto, file, socketcan:vcan*",
         rig_.file, config.line, config.name, config.link));
   } else if (uri->carries() == link::Carries::bytes) {
-    add_line(config, *uri, actor);
+    add_to_line(config, *uri, actor);
   } else {
     add_to_bus(config, *uri, actor);
   }
 }
 
-void LockstepBench::add_line(const rig_config::DeviceConfig& config, const link::Uri& uri,
-                             shell::DeviceActor& actor) {
-  lines_.push_back(std::make_unique<emulate::EmulatedLine>(
-      or_throw(faults_.device(config)), uri.line_rate().value_or(emulate::without_line_rate),
-      [this, &actor, name = config.name](wire::Bytes bytes, const emulate::Passage& passage) {
-        if (on_written_) on_written_(name, passage, passage.ended_at);
-        actor.receive(bytes, passage.ended_at);
-      }));
-  lines_.back()->set_on_told(
-      [this, name = config.name](std::string_view what, Stamp at) { on_told_(name, what, at); });
-  lines_.back()->set_on_port([&actor](bool there, Stamp at) { actor.set_port(there, at); });
-  actor.tap(follower_);
-  to_lines_.back()->line = lines_.back().get();
-  clock_.add(*lines_.back());
+/// The devices of one line name it with the same words.
+void LockstepBench::add_to_line(const rig_config::DeviceConfig& config, const link::Uri& uri,
+                                shell::DeviceActor& actor) {
+  auto device = or_throw(faults_.device(config));
+  auto [known, is_new] = lines_.try_emplace(config.link);
+  Line& line = known->second;
+  if (is_new) {
+    auto devices = std::make_unique<emulate::LineSharers>();
+    line.devices = devices.get();
+    line.line = make_line(line, std::move(devices), uri);
+    clock_.add(*line.line);
+    actor.tap(follower_);
+  } else {
+    actor.share_link();
+    line.drivers.front()->share_link();
+  }
+  line.devices->add(config.name, std::move(device));
+  line.drivers.push_back(&actor);
+  to_lines_.back()->line = line.line.get();
+}
+
+std::unique_ptr<emulate::EmulatedLine> LockstepBench::make_line(
+    Line& line, std::unique_ptr<emulate::LineSharers> devices, const link::Uri& uri) {
+  auto made = std::make_unique<emulate::EmulatedLine>(
+      std::move(devices), uri.line_rate().value_or(emulate::without_line_rate),
+      [this, &line](wire::Bytes bytes, const emulate::Passage& passage) {
+        if (on_written_)
+          on_written_(line.devices->name_of(passage.sender), passage, passage.ended_at);
+        for (auto* driver : line.drivers) driver->receive(bytes, passage.ended_at);
+      });
+  made->set_on_told([this, &line](std::string_view what, Stamp at) {
+    on_told_(line.devices->name_of(line.devices->sender()), what, at);
+  });
+  made->set_on_port([&line](bool there, Stamp at) {
+    for (auto* driver : line.drivers) driver->set_port(there, at);
+  });
+  return made;
 }
 
 void LockstepBench::add_to_bus(const rig_config::DeviceConfig& config, const link::Uri& uri,

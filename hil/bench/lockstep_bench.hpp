@@ -8,17 +8,15 @@
 #include "drivers/link/uri.hpp"
 #include "drivers/shell/device_actor.hpp"
 #include "drivers/shell/lockstep.hpp"
+#include "drivers/shell/played_files.hpp"
 #include "estimators/host/bus_estimates.hpp"
 #include "estimators/pipeline/pipeline.hpp"
 #include "estimators/setup/outside.hpp"
 #include "hil/bench/pilot_in_step.hpp"
+#include "hil/emulate/line_sharers.hpp"
 #include "hil/emulate/lockstep.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
 #include "hil/fault/injector.hpp"
-
-namespace drydock::shell {
-struct RecordingClock;
-}
 
 namespace drydock::bench {
 
@@ -46,6 +44,12 @@ class LockstepBench final : private device::Listener {
   measurement::Stamp now() const { return clock_.now(); }
   void run_until(measurement::Stamp end) { clock_.run_until(end); }
   void flush() { pipeline_.flush(); }  ///< call it at the end of a run
+  /// Closes the devices, as a replay does at the end of its recording: what waits in a driver comes
+  /// out. Nobody hears that they close.
+  void stop();
+
+  /// Every link is a recording, and all of them are at their end.
+  bool is_played() const;
 
   std::size_t devices() const { return actors_.size(); }
   const device::Device& device(std::size_t i) const { return actors_[i]->device(); }
@@ -58,17 +62,24 @@ class LockstepBench final : private device::Listener {
 
  private:
   class ToLine;
+  struct Line {
+    std::unique_ptr<emulate::EmulatedLine> line;
+    emulate::LineSharers* devices = nullptr;  ///< at its end
+    std::vector<shell::DeviceActor*> drivers;
+  };
   struct Bus {
     std::unique_ptr<emulate::EmulatedBus> bus;
     std::vector<std::string> names;  ///< its emulated nodes
     std::vector<shell::DeviceActor*> drivers;
   };
 
-  /// `clock` and `begin` are of its recording, if its link is one.
-  void add(const rig_config::DeviceConfig& config, std::unique_ptr<device::Device> device,
-           const shell::RecordingClock& clock, measurement::Stamp begin);
-  void add_line(const rig_config::DeviceConfig& config, const link::Uri& uri,
-                shell::DeviceActor& actor);
+  void add(const rig_config::DeviceConfig& config, std::unique_ptr<device::Device> device);
+  void play(const shell::PlayedFile& file, measurement::Stamp begin);
+  void add_to_line(const rig_config::DeviceConfig& config, const link::Uri& uri,
+                   shell::DeviceActor& actor);
+  std::unique_ptr<emulate::EmulatedLine> make_line(Line& line,
+                                                   std::unique_ptr<emulate::LineSharers> devices,
+                                                   const link::Uri& uri);
   void add_pilot(setup::Outside::Say say);
   void add_to_bus(const rig_config::DeviceConfig& config, const link::Uri& uri,
                   shell::DeviceActor& actor);
@@ -79,7 +90,7 @@ class LockstepBench final : private device::Listener {
     pipeline_.receive(m);
   }
   void on_state(const device::Device& device, const device::Transition& change) override {
-    follower_.on_state(device, change);
+    if (!stopping_) follower_.on_state(device, change);
   }
 
   const rig_config::Rig& rig_;
@@ -87,14 +98,15 @@ class LockstepBench final : private device::Listener {
   emulate::RealTimeEmulator::OnWritten on_written_;
   OnTold on_told_ = [](std::string_view, std::string_view, measurement::Stamp) {};
   measurement::Stamp start_;
+  bool stopping_ = false;
   shell::Lockstep clock_;
   fault::Injector faults_;
   host::EstimateTeller teller_;
   pipeline::Pipeline pipeline_;
   std::vector<std::unique_ptr<ToLine>> to_lines_;
   std::vector<std::unique_ptr<shell::DeviceActor>> actors_;
-  std::vector<std::unique_ptr<emulate::EmulatedLine>> lines_;
-  std::vector<std::unique_ptr<shell::Actor>> recordings_;
+  std::map<std::string, Line> lines_;
+  std::vector<std::unique_ptr<shell::Actor>> recordings_;  ///< one for each file
   std::map<std::string, Bus> buses_;
   std::unique_ptr<PilotInStep> pilot_;  ///< null: nobody steers over the wires
 };

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "drivers/host/finding_lines.hpp"
 #include "drivers/host/state_lines.hpp"
+#include "drivers/link/uri.hpp"
 #include "drivers/terminal/interrupt_flag.hpp"
 #include "drivers/terminal/terminal_screen.hpp"
 #include "hil/bench/lockstep_bench.hpp"
@@ -20,6 +22,15 @@ namespace {
 
 using measurement::Stamp;
 
+/// A rig without a vehicle of its own: its time is that of its recordings.
+bool plays_files_only(const rig_config::Rig& rig) {
+  return !rig.devices.empty() &&
+         std::ranges::all_of(rig.devices, [](const rig_config::DeviceConfig& device) {
+           const auto uri = link::parse_uri(device.link);
+           return uri && uri->recorded();
+         });
+}
+
 /// A run in virtual time.
 class LockstepRun {
  public:
@@ -32,6 +43,7 @@ class LockstepRun {
                         : mission_.emplace(motion::make_trajectory(rig.mission, start_))),
         duration_s_(options.duration_s > 0 ? options.duration_s
                                            : measurement::seconds(trajectory_.end() - start_)),
+        until_played_(duration_s_ <= 0 && plays_files_only(rig)),
         run_(rig, options, trajectory_, {start_, duration_s_, record::WhenBehind::wait}),
         finding_lines_(rig, start_, [](const std::string& line) { fmt::print("{}\n", line); }),
         bench_(rig, trajectory_, run_.followers(), run_.on_written(),
@@ -56,11 +68,13 @@ class LockstepRun {
   }
 
   summary::Summary run() {
-    const terminal::InterruptFlag interrupted;
+    const terminal::InterruptFlag interrupted(terminal::ClosedPipe::ends);
     const auto wall_start = std::chrono::steady_clock::now();
-    const Stamp end = start_ + measurement::from_seconds(duration_s_);
+    const Stamp end =
+        until_played_ ? Stamp::max() : start_ + measurement::from_seconds(duration_s_);
     run_.begin({start_, devices(), bench_.pipeline(), bench_.faults()});
-    while (bench_.now() < end && !interrupted.set() && !(parts_.stopped && parts_.stopped())) {
+    while (bench_.now() < end && !(until_played_ && bench_.is_played()) && !interrupted.set() &&
+           !(parts_.stopped && parts_.stopped())) {
       bench_.run_until(std::min(end, bench_.now() + std::chrono::seconds{1}));
       chronicle_.follow(bench_.now());
       run_.tell_faults(bench_.now());
@@ -75,6 +89,7 @@ class LockstepRun {
     s.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
     s.interrupted = interrupted.set();
     s.devices = run_.devices(bench_.now());
+    bench_.stop();
     s.notes = told_.notes();
     run_.write(s);
     control::write(chronicle_, start_, s);
@@ -91,7 +106,10 @@ class LockstepRun {
   void show_progress() const {
     if (!terminal_ || !parts_.progress) return;
     const double done = measurement::seconds(bench_.now() - start_);
-    fmt::print("\r{:.0f} s of {:.0f} s ({:.0f} %)", done, duration_s_, 100 * done / duration_s_);
+    if (until_played_)
+      fmt::print("\r{:.0f} s", done);
+    else
+      fmt::print("\r{:.0f} s of {:.0f} s ({:.0f} %)", done, duration_s_, 100 * done / duration_s_);
     std::fflush(stdout);
   }
 
@@ -101,6 +119,7 @@ class LockstepRun {
   std::optional<motion::RememberedTrajectory> mission_;
   const motion::Trajectory& trajectory_;
   double duration_s_;
+  bool until_played_;  ///< to the end of the recordings that the devices read
   RigRun run_;
   host::StateLines state_lines_{stdout, start_};
   host::FindingLines finding_lines_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
-#include <set>
 #include <span>
 #include <stdexcept>
 
@@ -10,8 +9,7 @@
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/monitor/found_devices.hpp"
 #include "drivers/shell/device_actor.hpp"
-#include "drivers/shell/recorded_bus.hpp"
-#include "drivers/shell/recorded_line.hpp"
+#include "drivers/shell/played_files.hpp"
 #include "hil/diagnose/examination.hpp"
 #include "hil/diagnose/sources.hpp"
 #include "hil/replay/recorded_rig.hpp"
@@ -31,9 +29,10 @@ constexpr double usual_length_s = 600;  ///< spaces the curves of a file whose l
 class CaptureBench final : public device::Listener, public device::Transmitter {
  public:
   CaptureBench(const rig_config::Rig& rig, std::vector<std::unique_ptr<device::Device>> devices,
-               std::span<const shell::RecordingClock> clocks, Stamp start)
+               std::span<const shell::PlayedFile> files, Stamp start)
       : clock_(start), examination_(rig, start, usual_length_s) {
-    for (std::size_t i = 0; i < devices.size(); ++i) add(std::move(devices[i]), clocks[i], start);
+    for (auto& device : devices) add(std::move(device), start);
+    for (const auto& file : files) play(file, start);
     std::vector<const device::Device*> all;
     for (const auto& actor : actors_) all.push_back(&actor->device());
     examination_.follow(followers_, std::move(all));
@@ -50,19 +49,17 @@ class CaptureBench final : public device::Listener, public device::Transmitter {
   }
 
  private:
-  void add(std::unique_ptr<device::Device> device, const shell::RecordingClock& clock,
-           Stamp start) {
-    const auto uri = link::parse_uri(device->options().link).value();
-    const bool on_bus = device->on_bus();
+  void add(std::unique_ptr<device::Device> device, Stamp start) {
     actors_.push_back(std::make_unique<shell::DeviceActor>(std::move(device), *this, *this, start,
                                                            measurement::Provenance::replayed));
-    shell::DeviceActor& driver = *actors_.back();
-    if (heard_.insert(uri.text).second) driver.tap(followers_);  // each link once
-    if (on_bus)
-      files_.push_back(std::make_unique<shell::RecordedBus>(uri, driver, start, clock));
-    else
-      files_.push_back(std::make_unique<shell::RecordedLine>(uri, driver, start, clock));
-    clock_.add(driver);
+    clock_.add(*actors_.back());
+  }
+
+  void play(const shell::PlayedFile& file, Stamp start) {
+    std::vector<shell::DeviceActor*> readers;
+    for (const std::size_t i : file.devices) readers.push_back(actors_[i].get());
+    readers.front()->tap(followers_);
+    files_.push_back(shell::player_of(file, std::move(readers), start));
     clock_.add(*files_.back());
   }
 
@@ -87,7 +84,6 @@ class CaptureBench final : public device::Listener, public device::Transmitter {
   host::Followers followers_;
   std::vector<std::unique_ptr<shell::DeviceActor>> actors_;
   std::vector<std::unique_ptr<shell::Actor>> files_;
-  std::set<std::string> heard_;  ///< links
   Examination examination_;
 };
 
@@ -98,16 +94,7 @@ bool has_axes(const rig_config::DeviceConfig& device) {
          device.kind == DeviceKind::emlog;
 }
 
-/// The clocks of the devices' recordings.
-std::vector<shell::RecordingClock> clocks_of(
-    const std::vector<std::unique_ptr<device::Device>>& devices) {
-  std::vector<shell::RecordingClock> clocks;
-  clocks.reserve(devices.size());
-  for (const auto& device : devices)
-    clocks.push_back(shell::clock_of(link::parse_uri(device->options().link).value(),
-                                     device->options().driver, device->travels()));
-  return clocks;
-}
+shell::Pace pace_of(const shell::PlayedFile& file) { return file.clock.pace; }
 
 }  // namespace
 
@@ -123,13 +110,13 @@ Outcome read_capture(const std::string& path, unsigned baud) {
     return nothing;
   }
   const auto rig = host::rig_of(devices, path);
-  const auto clocks = clocks_of(devices);
-  const auto timed = std::ranges::find(clocks, shell::Pace::arrival, &shell::RecordingClock::pace);
-  const bool has_times = timed != clocks.end() || devices.front()->on_bus();
-  const Stamp start = timed != clocks.end()       ? timed->first
-                      : devices.front()->on_bus() ? clocks.front().first
+  const auto files = shell::played_files(devices);
+  const auto timed = std::ranges::find(files, shell::Pace::arrival, pace_of);
+  const bool has_times = timed != files.end() || devices.front()->on_bus();
+  const Stamp start = timed != files.end()        ? timed->clock.first
+                      : devices.front()->on_bus() ? files.front().clock.first
                                                   : Stamp{};  // bytes begin at zero
-  auto outcome = CaptureBench(rig, std::move(devices), clocks, start).play(path, has_times);
+  auto outcome = CaptureBench(rig, std::move(devices), files, start).play(path, has_times);
   outcome.notes = report.recording;
   if (std::ranges::count_if(rig.devices, has_axes) > 1)
     outcome.notes.emplace_back(
@@ -138,7 +125,7 @@ Outcome read_capture(const std::string& path, unsigned baud) {
   if (!has_times)
     outcome.notes.push_back(fmt::format(
         "a capture of bytes has no times{}",
-        clocks.front().pace == shell::Pace::device
+        pace_of(files.front()) == shell::Pace::device
             ? " of arrival: those here are of the device's own clock"
             : fmt::format(": they count its bytes at {} baud, without the pauses", rate)));
   return outcome;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -55,6 +56,8 @@ class EmulatedDevice {
   virtual void receive(const wire::CanFrame& frame, Stamp now, Wire& out) = 0;
   /// While it sends a sample: when the sample was taken. Empty: the message belongs to no sample.
   virtual std::optional<Stamp> sampled_at() const { return {}; }
+  /// While it sends: which one of several devices on its line. One device is 0.
+  virtual std::size_t sender() const { return 0; }
 };
 
 /// A message or frame on its way over the wire, for a comparison with the drivers' times.
@@ -63,6 +66,7 @@ struct Passage {
   Stamp sent_at{};                  ///< handed to the line, which may be busy
   Stamp began_at{};                 ///< its first bit leaves
   Stamp ended_at{};                 ///< its last bit has left
+  std::size_t sender = 0;           ///< EmulatedDevice::sender() when it was sent over a line
 };
 
 }  // namespace drydock::emulate

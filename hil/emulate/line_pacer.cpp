@@ -31,7 +31,8 @@ std::chrono::nanoseconds LinePacer::line_time(std::size_t bytes, unsigned baud) 
   return std::chrono::nanoseconds{(bytes * rate_.frame.bits() * ns_per_s + baud - 1) / baud};
 }
 
-void LinePacer::queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at, Client to) {
+void LinePacer::queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at, Client to,
+                      std::size_t sender) {
   if (message.empty()) return;
   while (waiting_.size() > 1 && waiting_bytes_ + message.size() > bound_bytes_) {
     const auto oldest = waiting_.begin() + 1;
@@ -48,7 +49,7 @@ void LinePacer::queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampl
   bytes.assign(message.begin(), message.end());
   if (waiting_.empty()) began_ = std::max(began_, now);
   waiting_bytes_ += bytes.size();
-  waiting_.push_back({std::move(bytes), now, sampled_at, to, rate_.baud});
+  waiting_.push_back({std::move(bytes), now, sampled_at, to, rate_.baud, sender});
 }
 
 void LinePacer::drop_all() {
@@ -72,7 +73,7 @@ std::optional<Chunk> LinePacer::take(Stamp now) {
   Message& message = waiting_.front();
   const std::size_t from = std::exchange(sent_, chunk_end());
   const std::size_t size = sent_ - from;
-  const Passage passage{message.sampled_at, message.queued_at, began_, *at};
+  const Passage passage{message.sampled_at, message.queued_at, began_, *at, message.sender};
   if (sent_ < message.bytes.size()) {
     return Chunk{wire::Bytes{message.bytes}.subspan(from, size),
                  *at,

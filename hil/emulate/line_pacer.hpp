@@ -36,7 +36,7 @@ class LinePacer {
             std::chrono::nanoseconds bound = std::chrono::seconds{1});
 
   void queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at = {},
-             Client to = every_client);
+             Client to = every_client, std::size_t sender = 0);
   /// Messages that are queued from now on leave at this rate.
   void set_baud(unsigned baud);
   unsigned baud() const { return rate_.baud; }
@@ -54,6 +54,7 @@ class LinePacer {
     std::optional<Stamp> sampled_at;
     Client to;
     unsigned baud;
+    std::size_t sender;
   };
 
   std::chrono::nanoseconds line_time(std::size_t bytes, unsigned baud) const;

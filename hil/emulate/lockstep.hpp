@@ -38,7 +38,9 @@ class EmulatedLine final : public shell::Actor, private Wire {
   std::uint64_t messages_lost() const { return pacer_.messages_lost(); }
 
  private:
-  void send(wire::Bytes bytes) override { pacer_.queue(bytes, now_, device_->sampled_at()); }
+  void send(wire::Bytes bytes) override {
+    pacer_.queue(bytes, now_, device_->sampled_at(), every_client, device_->sender());
+  }
   void send(const wire::CanFrame&) override {}
   unsigned line_baud() const override {
     return hosts_rate_.baud == without_line_rate ? 0 : hosts_rate_.baud;

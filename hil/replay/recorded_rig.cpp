@@ -37,6 +37,7 @@ RecordedRig::RecordedRig(const record::Recording& recording) : folder_(make_fold
   try {
     if (auto whole = rig_config::load_rig(write_out(recording.attachments()).string())) {
       rig_ = std::move(*whole);
+      name_links(recording);
       return;
     } else if (!whole.error().empty()) {
       trouble_ = whole.error().front().what;
@@ -46,10 +47,19 @@ RecordedRig::RecordedRig(const record::Recording& recording) : folder_(make_fold
     rig_ = std::move(*devices);
     trouble_ = rig_.estimators.empty() ? "" : "drivers only, without the estimators: " + trouble_;
     rig_.estimators.clear();
+    name_links(recording);
   } catch (...) {
     fs::remove_all(folder_);
     throw;
   }
+}
+
+/// A relative `file:` link would mean a file in the temporary folder.
+void RecordedRig::name_links(const record::Recording& recording) {
+  for (const auto& link : recording.links())
+    for (auto& device : rig_.devices)
+      if (std::ranges::find(link.devices, device.name) != link.devices.end())
+        device.link = link.uri;
 }
 
 RecordedRig::~RecordedRig() {

@@ -10,8 +10,8 @@
 namespace drydock::replay {
 
 /// The rig of a recording. The constructor writes the attached rig file and the files that it names
-/// into a temporary folder, with their relative paths, and reads them there. The destructor removes
-/// the folder.
+/// into a temporary folder, with their relative paths, and reads them there. Links are those of the
+/// recorded run. The destructor removes the folder.
 class RecordedRig {
  public:
   /// Throws std::runtime_error with one line if even the devices cannot be read. If files are
@@ -27,6 +27,7 @@ class RecordedRig {
 
  private:
   std::filesystem::path write_out(const std::vector<mcap::Attachment>& attachments);
+  void name_links(const record::Recording& recording);
 
   std::filesystem::path folder_;
   rig_config::Rig rig_;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <tuple>
 
 #include "drivers/wire/protocols.hpp"
 #include "rig_config/estimator/kinds.hpp"
@@ -28,7 +29,7 @@ class RigChecks {
     problems_ = check_names(root_, file_, "device");
     std::ranges::move(check_names(root_, file_, "estimator"), std::back_inserter(problems_));
     links_are_sound();
-    lines_have_one_device();
+    lines_are_named_alike();
     addresses_are_unique();
     canopen_nodes_have_addresses();
     if (!options_.devices_only) {
@@ -50,41 +51,47 @@ class RigChecks {
     });
   }
 
-  /// A bus has many devices, a server many clients and a file many readers. A line has one device.
+  /// A server has many clients and a file many readers; a line is opened once.
   static bool is_line(const std::string& link) {
     return std::ranges::any_of(std::array{"serial:", "pty:", "udp:", "memory:"},
                                [&](std::string_view scheme) { return link.starts_with(scheme); });
   }
 
-  void lines_have_one_device() {
-    std::map<std::string, std::string> taken;
+  /// Devices share a line that they name with the same words.
+  void lines_are_named_alike() {
+    std::map<std::string, std::pair<std::string, std::string>> known;
     for_each_table(root_, "device", [&](const Node& device, std::size_t i) {
       const Node* link = device.find_text("link");
       const Node* name = device.find_text("name");
       if (!link || !name || !is_line(link->text)) return;
       const std::string line = link->text.substr(0, link->text.find('?'));
-      const auto& first = *taken.emplace(line, name->text).first;
-      if (first.second != name->text)  // equal names are another problem, already reported
+      const auto& [first, written] =
+          known.emplace(line, std::pair(name->text, link->text)).first->second;
+      if (written != link->text)
         add(*link, fmt::format("/device/{}/link", i),
-            fmt::format("{} is already the link of '{}'; each device needs a line of its own", line,
-                        first.second));
+            fmt::format("{} is the link of '{}' too, which writes {}; devices that share a line "
+                        "write its link alike",
+                        line, first, written));
     });
   }
 
+  /// A node may be a sensor of several kinds, as a satellite compass is.
   void addresses_are_unique() {
-    std::map<std::pair<std::string, std::int64_t>, std::string> taken;
+    std::map<std::tuple<std::string, std::int64_t, std::string>, std::string> taken;
     for_each_table(root_, "device", [&](const Node& device, std::size_t i) {
       const Node* link = device.find_text("link");
       const Node* address = device.find("address");
       const Node* name = device.find_text("name");
-      if (!link || !name || !address || address->kind != Kind::integer || !address->integer) return;
+      const Node* kind = device.find_text("kind");
+      if (!link || !name || !kind || !address || address->kind != Kind::integer ||
+          !address->integer)
+        return;
       const auto [first, fresh] =
-          taken.emplace(std::pair(link->text, address->integer), name->text);
+          taken.emplace(std::tuple(link->text, address->integer, kind->text), name->text);
       if (!fresh)
         add(*address, fmt::format("/device/{}/address", i),
-            fmt::format(
-                "{} is already the address of '{}' on {}; each device on a bus needs its own",
-                address->integer, first->second, link->text));
+            fmt::format("{} is already the address of '{}' on {}; each {} on a bus needs its own",
+                        address->integer, first->second, link->text, kind->text));
     });
   }
 

@@ -5,7 +5,8 @@ namespace drydock::monitor {
 void RigWires::add(const device::Device& device) {
   const auto& options = device.options();
   if (!device.on_bus()) {
-    lines_[options.link] = watch_bytes(options.driver.protocol, options.driver.description);
+    auto& watch = lines_[options.link][options.driver.protocol];
+    if (!watch) watch = watch_bytes(options.driver.protocol, options.driver.description);
     return;
   }
   auto& bus = buses_[options.link];
@@ -15,8 +16,9 @@ void RigWires::add(const device::Device& device) {
 
 void RigWires::on_bytes(std::string_view link, shell::Direction way, wire::Bytes bytes, Stamp at) {
   const auto line = lines_.find(link);
-  if (way == shell::Direction::received && line != lines_.end() && line->second)
-    line->second->receive(bytes, at);
+  if (way != shell::Direction::received || line == lines_.end()) return;
+  for (auto& [protocol, watch] : line->second)
+    if (watch) watch->receive(bytes, at);
 }
 
 void RigWires::on_frame(std::string_view link, shell::Direction, const wire::CanFrame& frame,
@@ -25,10 +27,12 @@ void RigWires::on_frame(std::string_view link, shell::Direction, const wire::Can
   if (bus != buses_.end()) bus->second->receive(frame, at);
 }
 
-ShownWire RigWires::show(const std::string& link) {
+ShownWire RigWires::show(const std::string& link, const std::string& protocol) {
   if (const auto bus = buses_.find(link); bus != buses_.end()) return bus->second->show();
   const auto line = lines_.find(link);
-  return line != lines_.end() && line->second ? line->second->show() : ShownWire{};
+  if (line == lines_.end()) return {};
+  const auto watch = line->second.find(protocol);
+  return watch != line->second.end() && watch->second ? watch->second->show() : ShownWire{};
 }
 
 }  // namespace drydock::monitor

@@ -17,10 +17,13 @@ class RigWires final : public host::Follower {
   void on_bytes(std::string_view link, shell::Direction, wire::Bytes bytes, Stamp at) override;
   void on_frame(std::string_view link, shell::Direction, const wire::CanFrame& frame,
                 Stamp at) override;
-  ShownWire show(const std::string& link);  ///< empty: nothing was heard on it
+  /// Of a line: with the eyes of this protocol. Empty: nothing was heard on it.
+  ShownWire show(const std::string& link, const std::string& protocol);
 
  private:
-  std::map<std::string, std::unique_ptr<WireWatch>, std::less<>> lines_;
+  using Line = std::map<std::string, std::unique_ptr<WireWatch>>;  ///< by protocol
+
+  std::map<std::string, Line, std::less<>> lines_;
   std::map<std::string, std::unique_ptr<BusWatch>, std::less<>> buses_;
 };
 

@@ -47,6 +47,9 @@ NodeKind kind_of(wire::Network network) {
 std::string line_hint(const survey::ByteSurvey& heard, std::string_view protocol) {
   if (heard.bytes() == 0) return {};
   const auto best = heard.best();
+  if (best.confidence < Confidence::likely && !heard.text().empty())
+    return fmt::format("text without a {} frame: \"{}\"; does it wait for a command?", protocol,
+                       heard.text());
   if (best.confidence < Confidence::likely)
     return fmt::format("{} bytes, but no {} frame, nor one of any other protocol: the baud rate?",
                        heard.bytes(), protocol);
@@ -71,28 +74,35 @@ std::string bus_hint(const std::vector<survey::Node>& heard, const device::Drive
   return {};
 }
 
+namespace {
+
+bool one_is_silent(const std::vector<const device::Device*>& devices) {
+  return std::ranges::any_of(devices,
+                             [](const device::Device* device) { return device->messages() == 0; });
+}
+
+}  // namespace
+
 void WireHints::add(const device::Device& device) {
   if (device.on_bus())
     buses_[device.options().link].devices.push_back(&device);
   else
-    lines_[device.options().link].device = &device;
+    lines_[device.options().link].devices.push_back(&device);
 }
 
 void WireHints::on_bytes(std::string_view link, shell::Direction way, wire::Bytes bytes, Stamp at) {
   const auto line = lines_.find(link);
   if (way != shell::Direction::received || line == lines_.end()) return;
-  const bool silent = line->second.device->messages() == 0;
-  if (silent && line->second.survey->bytes() < most_bytes) line->second.survey->feed(bytes, at);
+  if (one_is_silent(line->second.devices) && line->second.survey->bytes() < most_bytes)
+    line->second.survey->feed(bytes, at);
 }
 
 void WireHints::on_frame(std::string_view link, shell::Direction way, const wire::CanFrame& frame,
                          Stamp at) {
   const auto bus = buses_.find(link);
   if (way != shell::Direction::received || bus == buses_.end()) return;
-  const auto& all = bus->second.devices;
-  const bool silent = std::ranges::any_of(
-      all, [](const device::Device* device) { return device->messages() == 0; });
-  if (silent && bus->second.survey->frames() < most_frames) bus->second.survey->receive(frame, at);
+  if (one_is_silent(bus->second.devices) && bus->second.survey->frames() < most_frames)
+    bus->second.survey->receive(frame, at);
 }
 
 std::string WireHints::hint(const device::Device& device) const {

@@ -25,7 +25,7 @@ class WireHints final : public host::Follower {
 
  private:
   struct HeardLine {
-    const device::Device* device = nullptr;
+    std::vector<const device::Device*> devices;
     std::unique_ptr<survey::ByteSurvey> survey = std::make_unique<survey::ByteSurvey>();
   };
   struct HeardBus {

@@ -17,12 +17,9 @@ constexpr std::chrono::milliseconds port_patience{100};
 }  // namespace
 
 LineRunner::LineRunner(boost::asio::io_context& io, link::Uri uri,
-                       RealTimeEmulator::OnWritten on_written, std::string name,
-                       std::unique_ptr<EmulatedDevice> device, std::unique_ptr<link::ByteLink> line)
+                       RealTimeEmulator::OnWritten on_written, std::unique_ptr<link::ByteLink> line)
     : Runner(io, std::move(on_written)),
       uri_(std::move(uri)),
-      name_(std::move(name)),
-      device_(std::move(device)),
       pacer_(uri_.line_rate().value_or(without_line_rate), longest_chunk),
       line_(std::move(line)),
       port_(std::make_shared<io::Signal>(executor_)) {}
@@ -82,9 +79,9 @@ void LineRunner::receive(wire::Bytes bytes, Stamp) {
   speaker_ = line_ ? line_->speaker() : every_client;
   if (const auto other = other_rate(pacer_.baud())) {
     const auto heard = heard_at(bytes, *other, {pacer_.baud(), uri_.byte_frame()});
-    device_->receive(heard, wire_time_, *this);
+    devices_.receive(heard, wire_time_, *this);
   } else {
-    device_->receive(bytes, wire_time_, *this);
+    devices_.receive(bytes, wire_time_, *this);
   }
   wake();
 }
@@ -115,7 +112,7 @@ Runner::Coroutine LineRunner::plug_in() {
 }
 
 Runner::Coroutine LineRunner::send_due(Stamp now) {
-  let_act(*device_, now, *this, wire_time_);
+  let_act(devices_, now, *this, wire_time_);
   while (const auto chunk = pacer_.take(now)) {
     const auto line = line_;
     if (!line) continue;  // lost, as on a wire without a receiver
@@ -128,13 +125,14 @@ Runner::Coroutine LineRunner::send_due(Stamp now) {
     }
     const auto result = chunk->to == every_client ? co_await line->write(bytes)
                                                   : co_await line->write_to(chunk->to, bytes);
-    note_written(result, name_, chunk->ends_message, chunk->of_message);
+    note_written(result, devices_.name_of(chunk->of_message.sender), chunk->ends_message,
+                 chunk->of_message);
     if (stopped_) co_return;
   }
 }
 
 std::optional<Stamp> LineRunner::deadline() const {
-  return measurement::earlier(device_->deadline(), pacer_.deadline());
+  return measurement::earlier(devices_.deadline(), pacer_.deadline());
 }
 
 }  // namespace drydock::emulate

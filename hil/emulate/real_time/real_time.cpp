@@ -27,6 +27,7 @@ boost::system::result<void, EmulateError> RealTimeEmulator::start(
   for (const auto& config : devices) {
     if (auto added = add(config); !added) {
       runners_.clear();
+      lines_.clear();
       buses_.clear();
       return added;
     }
@@ -46,10 +47,14 @@ boost::system::result<void, EmulateError> RealTimeEmulator::add(
   if (!uri) return cannot(config, uri.error().message);
 
   if (uri->carries() == link::Carries::bytes) {
-    auto line = link::open_bytes(io_.get_executor(), *uri, link::Side::device);
-    if (!line) return cannot(config, line.error().message);
-    runners_.push_back(std::make_shared<LineRunner>(io_, *uri, on_written_, config.name,
-                                                    std::move(*device), std::move(*line)));
+    auto& line = lines_[config.link];
+    if (!line) {
+      auto opened = link::open_bytes(io_.get_executor(), *uri, link::Side::device);
+      if (!opened) return cannot(config, opened.error().message);
+      line = std::make_shared<LineRunner>(io_, *uri, on_written_, std::move(*opened));
+      runners_.push_back(line);
+    }
+    line->add(config.name, std::move(*device));
     return {};
   }
 

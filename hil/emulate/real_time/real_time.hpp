@@ -17,10 +17,11 @@ class io_context;
 namespace drydock::emulate {
 
 class Runner;
+class LineRunner;
 class BusRunner;
 
-/// Runs emulated devices against the host's clock, each on the device side of its link: one line
-/// per byte device, and one bus per CAN link with all devices that name it. It wakes only when a
+/// Runs emulated devices against the host's clock on the device side of their links: one line or
+/// bus per link with all devices that name it. It wakes only when a
 /// chunk or a frame is due. Bench time equals the trajectory's time: start the trajectory at
 /// link::steady_now(), which runs evenly even if the host's clock is set. When a device's port
 /// goes, the device closes its end of the link; when the port comes back, a new link has the same
@@ -70,7 +71,8 @@ class RealTimeEmulator {
   OnWritten on_written_;
   OnTold on_told_;
   std::vector<std::shared_ptr<Runner>> runners_;
-  std::map<std::string, std::shared_ptr<BusRunner>> buses_;  ///< by link; runners_ has them too
+  std::map<std::string, std::shared_ptr<LineRunner>> lines_;  ///< by link; runners_ has them too
+  std::map<std::string, std::shared_ptr<BusRunner>> buses_;   ///< likewise
 };
 
 }  // namespace drydock::emulate

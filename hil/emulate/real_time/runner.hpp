@@ -9,6 +9,7 @@
 #include "drivers/link/link.hpp"
 #include "hil/emulate/can_pacer.hpp"
 #include "hil/emulate/line_pacer.hpp"
+#include "hil/emulate/line_sharers.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
 
 namespace drydock::emulate {
@@ -53,12 +54,15 @@ class Runner : public std::enable_shared_from_this<Runner> {
   RealTimeEmulator::Counters counters_;
 };
 
-/// A byte device at the end of a paced line. Its port may go and come back.
+/// The byte devices at the end of a paced line. Its port may go and come back.
 class LineRunner final : public Runner, private Wire {
  public:
   LineRunner(boost::asio::io_context& io, link::Uri uri, RealTimeEmulator::OnWritten on_written,
-             std::string name, std::unique_ptr<EmulatedDevice> device,
              std::unique_ptr<link::ByteLink> line);
+
+  void add(std::string name, std::unique_ptr<EmulatedDevice> device) {
+    devices_.add(std::move(name), std::move(device));
+  }
 
   RealTimeEmulator::Counters counters() const override;
   void set_on_told(const RealTimeEmulator::OnTold& hook) override { on_told_ = hook; }
@@ -74,23 +78,22 @@ class LineRunner final : public Runner, private Wire {
   Coroutine plug_in();  ///< runs when the port may come back
   void lose_line();
 
-  void send(wire::Bytes bytes) override { pacer_.queue(bytes, wire_time_, device_->sampled_at()); }
+  void send(wire::Bytes bytes) override { send_to(every_client, bytes); }
   void send(const wire::CanFrame&) override {}  // a serial line carries no frames
   void send_to(Client client, wire::Bytes bytes) override {
-    pacer_.queue(bytes, wire_time_, device_->sampled_at(), client);
+    pacer_.queue(bytes, wire_time_, devices_.sampled_at(), client, devices_.sender());
   }
   Client speaker() const override { return speaker_; }
   unsigned line_baud() const override { return uri_.line_rate().value_or(0).baud; }
   void set_baud(unsigned baud) override;
-  void tell(std::string_view what) override { on_told_(name_, what); }
+  void tell(std::string_view what) override { on_told_(devices_.name_of(devices_.sender()), what); }
   /// The rate that the other end has set, if it differs from the device's own.
   std::optional<unsigned> other_rate(unsigned own) const;
   void unplug() override;
   void plug() override;
 
   link::Uri uri_;
-  std::string name_;
-  std::unique_ptr<EmulatedDevice> device_;
+  LineSharers devices_;
   LinePacer pacer_;
   std::shared_ptr<link::ByteLink> line_;  ///< null: the port is gone
   Client speaker_ = every_client;         ///< of what was read last

@@ -79,6 +79,51 @@ TEST(Replay, TheEndOfAFileGivesTheEnsemblesBehindADamagedLength) {
     EXPECT_EQ(damaged.lines()[i], whole.lines()[i + 1]);
 }
 
+Decoded run_replay_of_dvl(const std::string& protocol, std::string_view text) {
+  const TemporaryFile file(text);
+  ReplayOptions options;
+  options.capture = file.path();
+  options.protocol = protocol;
+  options.kind = "dvl";
+  return run_replay(options);
+}
+
+/// Times in the sentences: valid at .0, .2 and .4 s, sent 150, 90 and 200 ms later.
+constexpr std::string_view wrz =
+    "wrz,0.120,-0.400,2.000,y,1.30,1.855,1e-07;0;1.4;0;1.2;0;0.2;0;1e+09,1700000000000000,"
+    "1700000000150000,123.00,0*75\r\n"
+    "wrz,0.120,-0.400,2.000,y,1.30,1.855,1e-07;0;1.4;0;1.2;0;0.2;0;1e+09,1700000000200000,"
+    "1700000000290000,123.00,0*05\r\n"
+    "wrz,0.120,-0.400,2.000,y,1.30,1.855,1e-07;0;1.4;0;1.2;0;0.2;0;1e+09,1700000000400000,"
+    "1700000000600000,123.00,0*1f\r\n";
+
+/// Trigger at .1234 s, the echo 23.961 ms behind it, the sentence 48.122 ms behind the echo.
+constexpr std::string_view pnorbt7 =
+    "$PNORBT7,1700000000.1234,23.961,-48.122,0.50000,0.20000,-0.01000,0.00500,23.00,23.10,23.20,23."
+    "30*23\r\n"
+    "$PNORBT7,1700000001.1234,23.961,-48.122,0.50000,0.20000,-0.01000,0.00500,23.00,23.10,23.20,23."
+    "30*22\r\n"
+    "$PNORBT7,1700000002.1234,23.961,-48.122,0.50000,0.20000,-0.01000,0.00500,23.00,23.10,23.20,23."
+    "30*21\r\n";
+
+/// The capture has no times of its own. A microsecond is the step of a double of these seconds.
+TEST(Replay, ADvlWithItsOwnClockIsValidWhenItSaysAndCameWhenItWasSent) {
+  const auto water_linked = run_replay_of_dvl("water-linked", wrz).lines();
+  ASSERT_EQ(water_linked.size(), 3u);
+  const double valid_s[] = {0, 0.2, 0.4}, age_s[] = {0.15, 0.09, 0.2};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(water_linked[i]["valid_at_s"].get<double>() - 1.7e9, valid_s[i], 5e-6);
+    EXPECT_NEAR(water_linked[i]["received_at_s"].get<double>() - 1.7e9, valid_s[i] + age_s[i],
+                5e-6);
+  }
+  const auto nortek = run_replay_of_dvl("nortek", pnorbt7).lines();
+  ASSERT_EQ(nortek.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(nortek[i]["valid_at_s"].get<double>() - 1.7e9, i + 0.147361, 5e-6);
+    EXPECT_NEAR(nortek[i]["received_at_s"].get<double>() - 1.7e9, i + 0.195483, 5e-6);
+  }
+}
+
 TEST(Replay, AtItsOwnPaceItGivesTheSameMeasurements) {
   const TemporaryFile file(log);
   ReplayOptions options = options_for(file);
@@ -111,6 +156,38 @@ TEST(Replay, WhatCannotBePlayedIsOneLine) {
   EXPECT_THAT(
       unknown.err,
       HasSubstr("no CAN capture of a known format; known are: pcap, pcapng, blf, candump-log"));
+}
+
+/// Good lines of PD6 in another order than that of the maker's guide make no ensemble.
+TEST(Replay, WithoutAMeasurementItSaysWhy) {
+  std::string lines;
+  for (int i = 0; i < 3; ++i)
+    lines +=
+        ":SA, +1.00, -2.00, 90.00\r\n:TS,26112610100500,35.0,+12.5,  10.0,1500.0,  0\r\n"
+        ":BI,  +500,  +100,   -10,    +1,A\r\n:WI,-32768,-32768,-32768,-32768,V\r\n";
+  const TemporaryFile file(lines);
+  ReplayOptions options;
+  options.capture = file.path();
+  options.protocol = "pd6";
+  const Decoded result = run_replay(options);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("no measurement: an ensemble was left out: a line was lost, "
+                                    "damaged or not in the order SA TS WI WS WE WD BI BS BE BD"));
+}
+
+/// RFC 1952: 1F 8B, and 8 for deflate.
+TEST(Replay, AFileThatIsCompressedIsSaidWhateverItsProtocol) {
+  const TemporaryFile file(std::string_view("\x1F\x8B\x08\0\0\0\0\0\2\3", 10));
+  ReplayOptions options;
+  options.capture = file.path();
+  options.protocol = "pd0";
+  EXPECT_THAT(run_replay(options).err,
+              HasSubstr("it is compressed: unpack it first with gunzip -k"));
+  options.protocol = "nmea2000";
+  options.kind = "depth";
+  options.format = "candump-log";
+  EXPECT_THAT(run_replay(options).err,
+              HasSubstr("it is compressed: unpack it first with gunzip -k"));
 }
 
 }  // namespace replay_test

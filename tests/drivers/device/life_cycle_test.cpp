@@ -210,5 +210,27 @@ TEST(LifeCycle, LongReasonLeavesRoomForWhatComesNext) {
   EXPECT_THAT(std::string(change->why.view()), EndsWith("xxx; retry in 0.25 s"));
 }
 
+TEST(LifeCycle, OnASharedLinkTheSilenceOfOneDoesNotOpenItAgain) {
+  LifeCycle life = streaming();
+  life.share_link();
+  const auto quiet = life.tick(at_s(2));
+  EXPECT_EQ(quiet->to, State::stale);
+  EXPECT_THAT(std::string(quiet->why.view()),
+              EndsWith("when all devices on it are quiet for 10 s"));
+  EXPECT_FALSE(life.deadline());
+  EXPECT_EQ(life.gives_up_at(), at_s(12)) << "the shell asks all devices of the link";
+  EXPECT_EQ(life.give_up(at_s(12))->to, State::backing_off);
+  EXPECT_TRUE(life.wants_close());
+}
+
+TEST(LifeCycle, TheSilenceBehindARecordingIsItsEnd) {
+  LifeCycle life = streaming(bus_options());
+  life.end_of_recording();
+  EXPECT_EQ(life.state(), State::streaming);
+  const auto end = life.tick(at_s(2));
+  EXPECT_EQ(end->to, State::closed);
+  EXPECT_EQ(end->why.view(), "end of the recording");
+}
+
 }  // namespace life_cycle_test
 }  // namespace drydock::device::test

@@ -12,17 +12,22 @@ using std::chrono::seconds;
 
 const Stamp dive{hours{24 * 365 * 55}}, start{hours{1}};
 
-RecordingClock clock(Pace pace, Stamp first) { return {.pace = pace, .first = first}; }
+PlayedFile file(Pace pace, Stamp first) {
+  PlayedFile played;
+  played.clock.pace = pace;
+  played.clock.first = first;
+  return played;
+}
 
 TEST(RecordedStarts, CapturesOfOneDiveKeepTheirDistances) {
-  const std::vector clocks{clock(Pace::arrival, dive + seconds{12}), clock(Pace::arrival, dive)};
-  EXPECT_THAT(recorded_starts(clocks, start), testing::ElementsAre(start + seconds{12}, start));
+  const std::vector files{file(Pace::arrival, dive + seconds{12}), file(Pace::arrival, dive)};
+  EXPECT_THAT(recorded_starts(files, start), testing::ElementsAre(start + seconds{12}, start));
 }
 
 TEST(RecordedStarts, CapturesOfDifferentDaysAndThoseWithoutTimesOfArrivalBeginTogether) {
-  const std::vector clocks{clock(Pace::arrival, dive), clock(Pace::arrival, dive + hours{48}),
-                           clock(Pace::device, dive + seconds{5}), clock(Pace::line, Stamp{})};
-  EXPECT_THAT(recorded_starts(clocks, start), testing::Each(start));
+  const std::vector files{file(Pace::arrival, dive), file(Pace::arrival, dive + hours{48}),
+                          file(Pace::device, dive + seconds{5}), file(Pace::line, Stamp{})};
+  EXPECT_THAT(recorded_starts(files, start), testing::Each(start));
 }
 
 }  // namespace

@@ -120,11 +120,39 @@ TEST(CheckRig, ARecordingThatIsNotThereOrHoldsNoFrames) {
               StartsWith("r.toml:7:8: /device/0/link: "));
 }
 
-TEST(CheckRig, TwoEmulatedDevicesOnOneTcpPort) {
+TEST(CheckRig, EmulatedDevicesThatShareATcpPortWriteItAlike) {
   const std::string link = "tcp:127.0.0.1:4711?emulated=1";
-  EXPECT_THAT(
-      refusal_of(rig_table + device("a", "dvl", "pd0", link) + device("b", "dvl", "pd0", link)),
-      StartsWith("r.toml:12:8: /device/1/link: tcp:127.0.0.1:4711 is already the server of 'a'"));
+  const std::string first = rig_table + device("a", "dvl", "pd0", link);
+  EXPECT_EQ(verdict_of(first + device("b", "dvl", "pd0", link)), "ok");
+  EXPECT_THAT(refusal_of(first + device("b", "dvl", "pd0", link + "&clients=2")),
+              StartsWith("r.toml:12:8: /device/1/link: tcp:127.0.0.1:4711 is the server of 'a' "
+                         "too, which writes tcp:127.0.0.1:4711?emulated=1; "));
+}
+
+/// A real node may say position and attitude; an emulated device is a node of its own.
+TEST(CheckRig, TwoEmulatedDevicesOnOneAddress) {
+  const auto both = [](const std::string& link) {
+    return rig_table + device("g", "gnss", "nmea2000", link, "address = 52\n") +
+           device("a", "attitude", "nmea2000", link, "address = 52\n");
+  };
+  EXPECT_THAT(refusal_of(both("can:auto?name=n")),
+              StartsWith("r.toml:14:11: /device/1/address: 52 is already the address of 'g'"));
+}
+
+/// What stands between two blanks needs a value, and nothing measures a text.
+TEST(CheckRig, AnEmulatedDescriptionThatCanSendNothing) {
+  const RigFolder folder;
+  folder.write("rigs/ctd.toml",
+               "[sensor]\ntitle = \"CTD\"\nkind = \"depth\"\n[protocol]\nchecksum = \"none\"\n"
+               "[[protocol.lines]]\nname = \"sample\"\nfields = [\n"
+               "{ name = \"day\", type = \"text\", ends = \" \" },\n"
+               "{ field = \"pressure_pa\", unit = \"dbar\" }]\n");
+  const std::string path =
+      folder.write("rigs/r.toml", rig_table + device("d", "depth", "ctd.toml", "pty:d"));
+  MemoryFile out;
+  EXPECT_EQ(check({path}, out.file()), 2);
+  EXPECT_THAT(out.text(), HasSubstr("/device/0/protocol: its emulated device can send nothing: "
+                                    "'sample' has a field that nothing measures"));
 }
 
 TEST(CheckRig, AFaultOfADeviceThatIsNotEmulated) {
