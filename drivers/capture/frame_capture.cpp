@@ -26,16 +26,13 @@ std::string unknown_format_text(std::string_view file, const FrameCapture& captu
 }
 
 FrameCapture::FrameCapture(const Format* format)
-    : format_(format), reader_(format ? format->make() : nullptr) {}
+    : format_(format),
+      reader_(format ? format->make() : nullptr),
+      may_be_packed_(format != nullptr) {}
 
 void FrameCapture::feed(Bytes block) {
   buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(at_));
   at_ = 0;
-  if (buffer_.empty() && tally_.units == 0)
-    if (const auto packed = wire::packed_content(wire::as_text(block)); !packed.empty()) {
-      unknown_ = true;
-      advice_ = packed;
-    }
   if (unknown_) return;
   const bool magic_was_short = buffer_.size() < longest_magic;
   buffer_.insert(buffer_.end(), block.begin(), block.end());
@@ -83,6 +80,7 @@ std::optional<Record> FrameCapture::next() {
 }
 
 bool FrameCapture::know_format() {
+  if (may_be_packed_) return is_not_packed();
   if (format_ || unknown_) return !unknown_;
   if (!finished_ && rest().size() < longest_magic) return false;
   if (!may_show_format_ && !finished_ && rest().size() < head_to_recognise) return false;
@@ -97,6 +95,15 @@ bool FrameCapture::know_format() {
     searched_ = past_whole_lines(rest(), searched_);
   }
   return format_ != nullptr;
+}
+
+/// A format was named, and somebody may have packed the file since.
+bool FrameCapture::is_not_packed() {
+  if (!finished_ && rest().size() < wire::longest_packed_magic) return false;
+  may_be_packed_ = false;
+  advice_ = wire::packed_content(wire::as_text(rest()));
+  unknown_ = !advice_.empty();
+  return !unknown_;
 }
 
 void FrameCapture::note_damage(std::size_t bytes) {

@@ -44,10 +44,12 @@ class FrameCapture {
  private:
   Bytes rest() const { return Bytes{buffer_}.subspan(at_); }
   bool know_format();
+  bool is_not_packed();
   void note_damage(std::size_t bytes);
 
   const Format* format_;
   std::unique_ptr<Reader> reader_;
+  bool may_be_packed_;  ///< a format was named, and the first bytes are not looked at yet
   std::vector<std::uint8_t> buffer_;
   std::size_t at_ = 0;
   bool finished_ = false;

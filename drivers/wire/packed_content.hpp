@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace drydock::wire {
+
+/// So many first bytes tell it.
+inline constexpr std::size_t longest_packed_magic = 5;
 
 /// What to do with a file that a packing program made, by its first bytes; empty: none did.
 inline std::string_view packed_content(std::string_view head) {

@@ -82,6 +82,8 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
   const auto counters = emulator.counters();
   fmt::print("{} messages written, {} late, {} lost to overloaded lines, {} write errors\n",
              counters.messages, counters.late, counters.lost, counters.write_errors);
+  if (counters.lost > 0)
+    fmt::print("more than the line carries, lost on {}\n", emulator.overloaded_links());
   if (counters.not_taken > 0)
     fmt::print("{} bytes were not taken by programs that had a line open\n", counters.not_taken);
   return terminal::exit_of(counters.lost == 0);

@@ -197,9 +197,9 @@ class RealTimeRun {
           "{} bytes of emulated devices were not taken by programs that had a line open",
           lost.not_taken));
     if (lost.lost == 0 && lost.write_errors == 0) return;
-    summary_.notes.push_back(
-        fmt::format("emulated devices lost {} messages to overloaded lines, {} to write errors",
-                    lost.lost, lost.write_errors));
+    summary_.notes.push_back(fmt::format(
+        "emulated devices lost {} messages to overloaded lines{}, {} to write errors", lost.lost,
+        lost.lost > 0 ? " (" + emulator_.overloaded_links() + ")" : "", lost.write_errors));
   }
 
   const rig_config::Rig& rig_;

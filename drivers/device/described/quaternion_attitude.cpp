@@ -37,7 +37,7 @@ void set_if_absent(Readings& readings, Target target, double value) {
 }
 
 std::optional<Eigen::Quaterniond> body_to_ned(const Readings& r) {
-  if (const auto ned = quaternion(r, quaternion_w)) return ned;
+  if (auto ned = quaternion(r, quaternion_w)) return ned;
   if (const auto enu = quaternion(r, enu_quaternion_w)) return to_ned(*enu);
   return {};
 }

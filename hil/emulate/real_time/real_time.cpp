@@ -1,5 +1,7 @@
 #include "hil/emulate/real_time/real_time.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/asio/io_context.hpp>
 
 #include "hil/emulate/real_time/runner.hpp"
@@ -89,6 +91,16 @@ RealTimeEmulator::Counters RealTimeEmulator::counters() const {
     all.not_taken += one.not_taken;
   }
   return all;
+}
+
+std::string RealTimeEmulator::overloaded_links() const {
+  std::string words;
+  const auto add = [&](const std::string& link, std::uint64_t lost) {
+    if (lost > 0) words += fmt::format("{}{}: {}", words.empty() ? "" : ", ", link, lost);
+  };
+  for (const auto& [link, line] : lines_) add(link, line->counters().lost);
+  for (const auto& [link, bus] : buses_) add(link, bus->counters().lost);
+  return words;
 }
 
 }  // namespace drydock::emulate

@@ -62,6 +62,8 @@ class RealTimeEmulator {
   void stop();
 
   Counters counters() const;  ///< total of all lines
+  /// In words, `pty:gnss?baud=9600: 630`: the links that lost messages, and how many.
+  std::string overloaded_links() const;
 
  private:
   boost::system::result<void, EmulateError> add(const rig_config::DeviceConfig& config);

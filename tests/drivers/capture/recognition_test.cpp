@@ -137,5 +137,19 @@ TEST(CommentHeadOfAByteCapture, EndsAtALineThatADeviceBeginsWithAHash) {
   }
 }
 
+/// A file of a named format that somebody has packed is told in whatever pieces it comes. Found by
+/// the fuzzer of captures: of one byte at a time it was read as frames.
+TEST(UnknownFile, ThatIsPackedIsToldInPiecesTooWhereAFormatIsNamed) {
+  for (const std::size_t piece : {1u, 2u, 100u}) {
+    FrameCapture capture(find_format("candump-log"));
+    const auto bytes = as_bytes("BZh91AY&SY\n(1.000) can0 123#00\n");
+    for (std::size_t at = 0; at < bytes.size(); at += piece) {
+      capture.feed(wire::Bytes(bytes).subspan(at, std::min(piece, bytes.size() - at)));
+      EXPECT_FALSE(capture.next()) << piece;
+    }
+    EXPECT_EQ(capture.advice(), "it is compressed: unpack it first with bunzip2 -k") << piece;
+  }
+}
+
 }  // namespace recognition_test
 }  // namespace drydock::capture::testing
