@@ -175,7 +175,7 @@ class Slurm(unittest.TestCase):
         begun = time.monotonic()
         process.send_signal(2)
         output, errors = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 1, output)
+        self.assertEqual(process.returncode, 130, output)
         self.assertIn("8 are missing", errors)
         self.assertLess(time.monotonic() - begun, 60)
         wait_until("all tasks are gone", lambda: "all tasks have ended" in campaign.run("--status").stdout)
