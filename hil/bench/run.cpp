@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/terminal/interrupt_flag.hpp"
 #include "hil/bench/short_run.hpp"
 #include "hil/summary/junit.hpp"
 #include "hil/summary/truth_of_rig.hpp"
@@ -63,6 +64,7 @@ summary::Summary run_or_report(const rig_config::Rig& rig, const RunOptions& opt
 int run(const rig_config::Rig& rig, const RunOptions& options) {
   rig_config::Rig asked = rig;
   std::ranges::move(asked_for(rig, options), std::back_inserter(asked.expects));
+  const terminal::InterruptFlag until_written(terminal::ClosedPipe::ends);
   summary::Summary summary = run_or_report(asked, options);
   if (auto verdict = verdict_of_short_run(summary, options.duration_s))
     summary.verdicts.push_back(std::move(*verdict));

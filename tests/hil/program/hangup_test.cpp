@@ -101,7 +101,7 @@ TEST(ClosedPipe, OfARunEndsItWithItsFiles) {
     const Folder folder;
     const std::string verdict = (folder / "run.json").string();
     const std::string recording = (folder / "run.mcap").string();
-    const std::string command = std::string("demo.toml --for 3000s --json ") + verdict +
+    const std::string command = std::string("demo.toml --for 300h --json ") + verdict +
                                 " --record " + recording + " " + pace;
     const auto outcome =
         program::drydock("--version; bash -c '" DRYDOCK_PROGRAM " run rig_config/rigs/" + command +
@@ -110,6 +110,21 @@ TEST(ClosedPipe, OfARunEndsItWithItsFiles) {
     EXPECT_NE(program::read_file(verdict).find("\"interrupted\": true"), std::string::npos) << pace;
     EXPECT_TRUE(is_finished(recording)) << pace;
   }
+}
+
+/// A short run prints when it has ended, and then nobody reads any more: its files do not depend on
+/// that.
+TEST(ClosedPipe, ThatIsSeenAtTheEndOfAWholeRunLeavesItsFilesToo) {
+  const Folder folder;
+  const std::string verdict = (folder / "run.json").string();
+  const std::string page = (folder / "page").string();
+  const auto outcome =
+      program::drydock("--version; bash -c '" DRYDOCK_PROGRAM
+                       " run rig_config/rigs/demo.toml --for 20s --speed max --json " +
+                       verdict + " --report " + page + " | :; exit ${PIPESTATUS[0]}'");
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.output;
+  EXPECT_NE(program::read_file(verdict).find("\"interrupted\": false"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(page + "/index.html")) << outcome.output;
 }
 
 }  // namespace hangup_test
