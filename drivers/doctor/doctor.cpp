@@ -30,8 +30,8 @@ namespace {
 
 void add_link(const link::Uri& uri, Needs& needs) {
   if (uri.scheme == link::Scheme::serial) needs.ports.push_back(uri.target);
-  if (uri.scheme == link::Scheme::slcan) {
-    const auto line = link::line_under_slcan(uri);
+  if (link::has_line_under(uri)) {
+    const auto line = link::line_under(uri);
     if (line.scheme == link::Scheme::serial) needs.ports.push_back(line.target);
   }
   if (uri.scheme == link::Scheme::socketcan) {

@@ -3,6 +3,7 @@
 #include "drivers/link/can/can_auto.hpp"
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/link/can/frame_hub.hpp"
+#include "drivers/link/can/gateway.hpp"
 #include "drivers/link/can/listening.hpp"
 #include "drivers/link/can/slcan.hpp"
 #include "drivers/link/can/socketcan.hpp"
@@ -45,6 +46,7 @@ OpenedFrames open_bus(const asio::any_io_executor& executor, const Uri& uri, Sid
   switch (uri.scheme) {
     case Scheme::socketcan: return open_socketcan(executor, uri);
     case Scheme::slcan: return open_slcan(executor, uri, side);
+    case Scheme::gateway: return open_gateway(executor, uri, side);
     case Scheme::memory_can: return open_memory_can(executor, uri);
     case Scheme::can_auto: return open_can_auto(executor, uri, side);
     case Scheme::file: return open_frame_file(executor, uri, side);

@@ -58,21 +58,24 @@ std::string parse_query(const Form& form, std::string_view query, Uri& uri) {
   return {};
 }
 
-/// Text of the link below an slcan bus, with the keys of that link.
-std::string line_text(const Uri& slcan) {
-  const bool is_device = slcan.target.starts_with('/');
-  std::string text = is_device ? "serial:" + slcan.target : slcan.target;
+/// Text of the link below a bus of text, with the keys of that link. What a gateway sends by UDP
+/// comes to a port of this computer.
+std::string line_text(const Uri& bus) {
+  const bool is_device = bus.target.starts_with('/');
+  std::string text = is_device ? "serial:" + bus.target : bus.target;
   const bool has_baud = text.starts_with("serial:") || text.starts_with("pty:");
-  if (has_baud) text += "?baud=" + std::to_string(slcan.baud().value_or(115'200));
+  if (has_baud) text += "?baud=" + std::to_string(bus.baud().value_or(115'200));
+  if (bus.scheme == Scheme::gateway && text.starts_with("udp:")) text += "?listen=1";
   return text;
 }
 
-std::string check_slcan(const Uri& uri) {
+std::string check_line_under(const Uri& uri) {
   const auto line = parse_uri(line_text(uri));
   if (line && line->carries() == Carries::bytes && line->scheme != Scheme::file) return {};
-  return "slcan needs a device path or one of serial: pty: tcp: udp: memory: after it, for "
-         "example " +
-         std::string(form_of(Scheme::slcan).example);
+  const Form& form = form_of(uri.scheme);
+  return std::string(form.name) +
+         " needs a device path or one of serial: pty: tcp: udp: memory: after it, for example " +
+         std::string(form.example);
 }
 
 /// Checks the query as a whole, after its single values.
@@ -85,7 +88,7 @@ std::string check_whole(const Uri& uri) {
     return "with flow=rtscts the port itself sets RTS: leave out rts";
   if (uri.text_of("flow") == "rtscts" && !uri.text_of("rs485").empty())
     return "RS-485 has no flow=rtscts: RTS switches the transmitter";
-  return uri.scheme == Scheme::slcan ? check_slcan(uri) : std::string();
+  return has_line_under(uri) ? check_line_under(uri) : std::string();
 }
 
 const Form* find_form(std::string_view name) {
@@ -140,6 +143,9 @@ std::string recording_misfit(const Uri& file, Carries what) {
     problem = "format=raw is for bytes; for CAN frames there are " + capture::format_names();
   if (what == Carries::bytes && !format.empty() && format != "raw")
     problem = "format=" + std::string(format) + " is for CAN frames; for bytes there is raw";
+  for (const std::string_view key : {"bitrate", "data_bitrate"})
+    if (what == Carries::bytes && !file.text_of(key).empty())
+      problem = std::string(key) + " is for CAN frames; the rate of a line of bytes is baud";
   if (what == Carries::bytes && file.speed().value_or(0) > 0 && !file.baud() &&
       file.text_of("clock") != "device" && !capture::has_times(file.target))
     problem = "speed=" + std::string(file.text_of("speed")) +
@@ -153,7 +159,11 @@ Uri listening(Uri uri) {
   return uri;
 }
 
-Uri line_under_slcan(const Uri& slcan) { return parse_uri(line_text(slcan)).value(); }
+Uri line_under(const Uri& bus) { return parse_uri(line_text(bus)).value(); }
+
+bool has_line_under(const Uri& uri) {
+  return uri.scheme == Scheme::slcan || uri.scheme == Scheme::gateway;
+}
 
 Carries Uri::carries() const { return scheme <= Scheme::memory ? Carries::bytes : Carries::frames; }
 
@@ -164,7 +174,8 @@ bool Uri::emulated() const {
     case Scheme::memory_can:
     case Scheme::can_auto: return true;
     case Scheme::socketcan: return target.starts_with("vcan") || flag("emulated");
-    case Scheme::slcan: return flag("emulated") || line_under_slcan(*this).emulated();
+    case Scheme::slcan:
+    case Scheme::gateway: return flag("emulated") || line_under(*this).emulated();
     default: return flag("emulated");
   }
 }
@@ -214,9 +225,11 @@ std::optional<wire::LineRate> Uri::line_rate() const {
 }
 
 std::optional<unsigned> Uri::bitrate() const {
-  if (carries() == Carries::bytes) return std::nullopt;
+  if (!may_carry(Carries::frames)) return std::nullopt;
   return number(*this, "bitrate").value_or(250'000);
 }
+
+std::optional<unsigned> Uri::data_bitrate() const { return number(*this, "data_bitrate"); }
 
 void throw_exception_from_error(const UriError& error, const boost::source_location&) {
   throw std::invalid_argument(error.message);

@@ -15,7 +15,7 @@ namespace drydock::link {
 /// The first six carry bytes, the others CAN frames; a file may hold either.
 // clang-format off
 enum class Scheme : std::uint8_t {
-  serial, pty, tcp, udp, file, memory, socketcan, slcan, memory_can, can_auto
+  serial, pty, tcp, udp, file, memory, socketcan, slcan, gateway, memory_can, can_auto
 };
 // clang-format on
 
@@ -46,8 +46,10 @@ struct Uri {
   /// give it.
   std::optional<double> speed() const;
   /// Bit/s of a CAN bus (nominal phase). Default 250000, the rate of NMEA 2000 and J1939. Empty for
-  /// byte links.
+  /// byte links, but not for a file.
   std::optional<unsigned> bitrate() const;
+  /// Bit/s of the data phase of CAN FD. Empty if the URI does not give it.
+  std::optional<unsigned> data_bitrate() const;
   std::string_view text_of(std::string_view key) const;  ///< empty if the URI does not give it
   bool flag(std::string_view key) const;                 ///< true for `key=1`
   /// True if the drivers' end of this bus never sends, not even an acknowledgement where the
@@ -72,9 +74,10 @@ Uri listening(Uri uri);
 /// The error in a recording's keys for this kind of data. Empty if there is none.
 std::string recording_misfit(const Uri& file, Carries what);
 
-/// The byte link below an slcan bus: `slcan:/dev/ttyACM0` uses a serial port, `slcan:tcp:host:port`
-/// uses TCP. Precondition: parse_uri made the URI.
-Uri line_under_slcan(const Uri& slcan);
+/// The byte link below a bus whose frames travel as text: `slcan:/dev/ttyACM0` uses a serial port,
+/// `gateway:tcp:host:port` uses TCP. Precondition: parse_uri made the URI, and has_line_under().
+Uri line_under(const Uri& bus);
+bool has_line_under(const Uri& uri);
 
 /// "serial pty tcp ... can:auto", for messages and help.
 std::string allowed_schemes();

@@ -91,6 +91,11 @@ bool is_capture_format(std::string_view text) {
   return text == "raw" || capture::find_format(text) != nullptr;
 }
 
+/// The formats of captures that gateways also send live.
+bool is_gateway_format(std::string_view text) {
+  return text == "ydwg" || text == "actisense" || text == "ikonvert";
+}
+
 constexpr Key baud{"baud", "50 to 12000000", is_within<50, 12'000'000>};
 constexpr Key baud_or_auto{"baud", "50 to 12000000, or auto", [](std::string_view text) {
                              return text == "auto" || is_within<50, 12'000'000>(text);
@@ -109,6 +114,7 @@ constexpr Key format{"format",
                      "raw pcap pcapng blf candump-log candump-screen asc trc canboat actisense "
                      "ydwg ikonvert savvycan python-can",
                      is_capture_format};
+constexpr Key gateway_format{"format", "ydwg actisense ikonvert", is_gateway_format};
 constexpr Key interface { "interface", "up to 15 letters, digits, _ - .", is_interface };
 constexpr Key recorded_line{"interface", "up to 64 letters, digits, _ - . : / [ ]",
                             is_recorded_line};
@@ -119,11 +125,12 @@ constexpr Key listen{"listen", "0 1", is_flag};
 constexpr Key clients{"clients", "1 to 16", is_within<1, 16>};
 constexpr Key emulated{"emulated", "0 1", is_flag};
 constexpr Key bitrate{"bitrate", "10000 to 1000000", is_within<10'000, 1'000'000>};
+constexpr Key data_bitrate{"data_bitrate", "10000 to 8000000", is_within<10'000, 8'000'000>};
 constexpr Key slcan_bitrate{
     "bitrate", "10000 20000 50000 100000 125000 250000 500000 800000 1000000", is_slcan_bitrate};
 constexpr Key bus_name{"name", "up to 15 letters, digits, _ - .", is_interface};
 
-constexpr std::array<Form, 10> forms{{
+constexpr std::array<Form, 11> forms{{
     {Scheme::serial,
      "serial",
      "a device path",
@@ -153,7 +160,7 @@ constexpr std::array<Form, 10> forms{{
      "a path",
      "file:dive.log?speed=1&baud=38400",
      is_path,
-     {speed, baud, bits, parity, stop, format, recorded_line, clock}},
+     {speed, baud, bits, parity, stop, format, recorded_line, clock, bitrate, data_bitrate}},
     {Scheme::memory,
      "memory",
      "a name without /",
@@ -165,13 +172,19 @@ constexpr std::array<Form, 10> forms{{
      "an interface name",
      "socketcan:can0",
      is_interface,
-     {fd, echo, bitrate, emulated, listen}},
+     {fd, echo, bitrate, data_bitrate, emulated, listen}},
     {Scheme::slcan,
      "slcan",
      "a device path or a byte link",
      "slcan:/dev/ttyACM0?bitrate=250000",
      is_path,
      {baud, slcan_bitrate, emulated, listen}},
+    {Scheme::gateway,
+     "gateway",
+     "a device path or a byte link",
+     "gateway:tcp:192.168.4.1:1457",
+     is_path,
+     {gateway_format, baud, emulated, listen}},
     {Scheme::memory_can,
      "memory-can",
      "a name without /",
@@ -188,7 +201,7 @@ constexpr std::array<Form, 10> forms{{
 
 }  // namespace
 
-const std::array<Form, 10>& uri_forms() { return forms; }
+const std::array<Form, 11>& uri_forms() { return forms; }
 
 std::optional<wire::Parity> parity_of(std::string_view name) {
   const auto found = std::find(parities.begin(), parities.end(), name);

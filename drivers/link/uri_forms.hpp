@@ -23,14 +23,14 @@ struct Form {
   Scheme scheme;
   std::string_view name, target, example;
   Check valid_target;
-  std::array<Key, 9> keys;  ///< unused ones have no name
+  std::array<Key, 10> keys;  ///< unused ones have no name
 };
 
 /// The parity of this name: none even odd mark space.
 std::optional<wire::Parity> parity_of(std::string_view name);
 
 /// In the order of Scheme.
-const std::array<Form, 10>& uri_forms();
+const std::array<Form, 11>& uri_forms();
 
 inline const Form& form_of(Scheme scheme) { return uri_forms()[static_cast<std::size_t>(scheme)]; }
 

@@ -136,9 +136,9 @@ class BusSearch {
       progress_.show(progress_text(uri));
       return survey_.frames() == 0 && at >= leave_at;
     });
-    if (uri.scheme == link::Scheme::slcan) note_link((*opened)->note());
+    note_link((*opened)->note());
     if (!ear_.failure()) return {};
-    if (survey_.frames() == 0 && uri.scheme == link::Scheme::slcan)
+    if (survey_.frames() == 0 && link::has_line_under(uri))
       return link::OpenError{ear_.failure(), ear_.trouble()};
     report_.notes.push_back("the bus ended: " + ear_.trouble());
     return {};

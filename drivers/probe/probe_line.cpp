@@ -9,6 +9,7 @@
 #include "drivers/capture/frame_capture.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/probe/hearing.hpp"
+#include "drivers/survey/position_talkers.hpp"
 #include "drivers/terminal/terminal_screen.hpp"
 #include "drivers/wire/ubx/ubx_frame.hpp"
 #include "rig_config/device_description/load_description.hpp"
@@ -60,16 +61,30 @@ std::vector<std::uint8_t> questions() {
   return all;
 }
 
-/// A gateway of NMEA 2000 sends its frames as lines of text, which are read from files alone.
-std::string gateway_note(wire::Bytes head, const std::string& link) {
+/// The link of the bus behind a line. Precondition: `line` is a link for bytes.
+std::string bus_behind(const link::Uri& line, std::string_view format) {
+  const bool is_port = line.scheme == link::Scheme::serial;
+  const std::string way = is_port ? line.target : line.text.substr(0, line.text.find('?'));
+  const auto rate = is_port ? line.baud() : std::nullopt;
+  return fmt::format("gateway:{}?format={}{}", way, format,
+                     rate ? fmt::format("&baud={}", *rate) : "");
+}
+
+/// A gateway of NMEA 2000 sends its frames as lines of text.
+std::string gateway_note(wire::Bytes head, const std::string& text) {
   capture::FrameCapture frames;
   frames.feed(head);
   frames.finish();
   if (!frames.next() || frames.format() == nullptr) return {};
+  const std::string_view format = frames.format()->name;
+  const auto line = link::parse_uri(text).value();
+  if (const auto bus = link::parse_uri(bus_behind(line, format)))
+    return fmt::format("a gateway that sends CAN frames as text ({}): probe '{}'", format,
+                       bus->text);
   return fmt::format(
-      "{} sends CAN frames as text ({}), as a gateway does; no link reads them live: write what it "
-      "sends into a file, with nc or socat, and probe or replay that",
-      link, frames.format()->name);
+      "{} sends CAN frames as text ({}), which no link reads live: write what it sends into a "
+      "file, with nc or socat, and probe or replay that",
+      text, format);
 }
 
 std::string found_so_far(const Hearing& hearing) {
@@ -123,10 +138,10 @@ class Attempt {
     if (bits == 7) heard.parity = is_odd ? 'O' : 'E';
     const auto& survey = is_odd ? hearing_.odd : is_even ? hearing_.even : hearing_.eight;
     if (!note_.empty()) report.notes.push_back(note_);
-    if (auto gateway = gateway_note(hearing_.head, search_.link); !gateway.empty())
+    const std::string line = serial_ ? with_keys(search_.link, heard, bits) : search_.link;
+    if (auto gateway = gateway_note(hearing_.head, line); !gateway.empty())
       report.notes.push_back(std::move(gateway));
-    note_line(survey, serial_ ? in_words(heard, bits) : "",
-              serial_ ? with_keys(search_.link, heard, bits) : search_.link, report);
+    note_line(survey, serial_ ? in_words(heard, bits) : "", line, report);
   }
 
  private:
@@ -186,6 +201,9 @@ void note_line(const survey::ByteSurvey& survey, const std::string& setting,
                               0, sensor.description});
   if (!attempt.findings.empty() && attempt.findings.front().protocol == "slcan")
     report.notes.push_back("a serial CAN adapter that is open: probe slcan:" + link);
+  if (!attempt.findings.empty())
+    if (auto note = survey::note_of_receivers(attempt.findings.front()); !note.empty())
+      report.notes.push_back(std::move(note));
   survey::name_devices(report.devices);
   report.attempts.push_back(std::move(attempt));
 }

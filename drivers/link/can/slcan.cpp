@@ -1,6 +1,5 @@
 #include "drivers/link/can/slcan.hpp"
 
-#include <algorithm>
 #include <array>
 #include <boost/asio/error.hpp>
 #include <boost/asio/experimental/awaitable_operators.hpp>
@@ -10,6 +9,7 @@
 #include <variant>
 
 #include "drivers/io/signal.hpp"
+#include "drivers/link/can/own_frames.hpp"
 #include "drivers/link/can/slcan_port.hpp"
 #include "drivers/link/can/slcan_trouble.hpp"
 #include "drivers/wire/can/slcan.hpp"
@@ -81,7 +81,6 @@ class SlcanLink final : public FrameLink {
   void take_in(wire::Bytes bytes, Stamp at);
   void hear(Answer answer);
   void hear(const slcan::Command& said);
-  bool is_echo(const wire::CanFrame& frame);
   void note_damage();
   void keep(const wire::CanFrame& frame, Stamp at);
 
@@ -97,10 +96,10 @@ class SlcanLink final : public FrameLink {
   std::array<std::uint8_t, read_size> buffer_{};
   boost::circular_buffer<ReceivedFrame> frames_;
   std::uint64_t dropped_ = 0;
-  bool echoes_ = false;                             ///< the adapter repeats what it is told
-  boost::circular_buffer<wire::CanFrame> written_;  ///< whose echoes may still come
-  std::uint64_t damaged_before_ = 0;                ///< lines, when the channel was opened
-  std::string damage_;                              ///< of the lines since then, in words
+  bool echoes_ = false;               ///< the adapter repeats what it is told
+  OwnFrames written_;                 ///< whose echoes may still come
+  std::uint64_t damaged_before_ = 0;  ///< lines, when the channel was opened
+  std::string damage_;                ///< of the lines since then, in words
 };
 
 /// A read and a write may both be first: one opens the channel and the other waits, so that their
@@ -198,13 +197,6 @@ void SlcanLink::hear(const slcan::Command& said) {
   if (said.text == "C" || said.text == rate_ || said.text == open_) echoes_ = true;
 }
 
-bool SlcanLink::is_echo(const wire::CanFrame& frame) {
-  const auto own = std::find(written_.begin(), written_.end(), frame);
-  if (own == written_.end()) return false;
-  written_.erase(written_.begin(), own + 1);
-  return true;
-}
-
 /// Lines are damaged where the serial line loses bytes, or where the channel was found open amid
 /// one.
 void SlcanLink::note_damage() {
@@ -224,7 +216,7 @@ void SlcanLink::hear(Answer answer) {
 }
 
 void SlcanLink::keep(const wire::CanFrame& frame, Stamp at) {
-  if (echoes_ && is_echo(frame)) return;
+  if (echoes_ && written_.take_echo(frame)) return;
   if (frames_.full())
     ++dropped_;
   else
@@ -236,7 +228,7 @@ Task<void> SlcanLink::write(const wire::CanFrame& frame) {
   const std::size_t size = slcan::encode(slcan::Frame{frame, std::nullopt}, line);
   if (size == 0) co_return ErrorCode(asio::error::operation_not_supported);
   if (const auto ready = co_await opened(); !ready) co_return ready.error();
-  if (echoes_) written_.push_back(frame);
+  if (echoes_) written_.add(frame);
   co_return co_await line_->write({line.data(), size});
 }
 
@@ -248,7 +240,7 @@ std::unique_ptr<FrameLink> make_slcan(const asio::any_io_executor& executor,
 }
 
 OpenedFrames open_slcan(const asio::any_io_executor& executor, const Uri& uri, Side side) {
-  auto line = open_bytes(executor, line_under_slcan(uri), side);
+  auto line = open_bytes(executor, line_under(uri), side);
   if (!line) return line.error();
   if (side == Side::driver)
     return make_slcan(executor, std::move(*line), {*uri.bitrate(), uri.only_listens()});

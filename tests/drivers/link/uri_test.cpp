@@ -43,14 +43,27 @@ TEST(Uri, SaysWhichDevicesAreEmulated) {
 TEST(Uri, CanBitRateIsThatOfMarineBusesUnlessWritten) {
   EXPECT_EQ(parse_uri("socketcan:can0").value().bitrate(), 250'000U);
   EXPECT_EQ(parse_uri("can:auto?name=bus0&bitrate=500000").value().bitrate(), 500'000U);
+  EXPECT_EQ(parse_uri("file:can.log?bitrate=500000").value().bitrate(), 500'000U);
+  EXPECT_EQ(parse_uri("file:can.log?data_bitrate=2000000").value().data_bitrate(), 2'000'000U);
   EXPECT_EQ(parse_uri("can:auto?name=bus0").value().target, "bus0");
   EXPECT_EQ(parse_uri("can:auto").value().target, "vcan0");
 }
 
 TEST(Uri, SlcanRunsOverAnyByteLink) {
-  const Uri port = line_under_slcan(parse_uri("slcan:/dev/ttyACM0?baud=1000000").value());
+  const Uri port = line_under(parse_uri("slcan:/dev/ttyACM0?baud=1000000").value());
   EXPECT_EQ(port.text, "serial:/dev/ttyACM0?baud=1000000");
-  EXPECT_EQ(line_under_slcan(parse_uri("slcan:tcp:gateway:3333").value()).text, "tcp:gateway:3333");
+  EXPECT_EQ(line_under(parse_uri("slcan:tcp:gateway:3333").value()).text, "tcp:gateway:3333");
+}
+
+TEST(Uri, AGatewayRunsOverAnyByteLinkAndItsDatagramsComeToAPortOfThisComputer) {
+  const Uri tcp = parse_uri("gateway:tcp:192.168.4.1:1457?format=ydwg").value();
+  EXPECT_EQ(line_under(tcp).text, "tcp:192.168.4.1:1457");
+  EXPECT_EQ(tcp.bitrate(), 250'000U) << "the rate of NMEA 2000";
+  const Uri udp = parse_uri("gateway:udp:0.0.0.0:2000").value();
+  EXPECT_EQ(line_under(udp).text, "udp:0.0.0.0:2000?listen=1");
+  EXPECT_TRUE(parse_uri("gateway:pty:bus").value().emulated());
+  EXPECT_EQ(error_of("gateway:tcp:h:1?format=asc"),
+            "\"gateway:tcp:h:1?format=asc\": bad format \"asc\"; allowed: ydwg actisense ikonvert");
 }
 
 TEST(Uri, TheFrameOfAByteIsThatOfItsKeys) {
@@ -83,13 +96,13 @@ TEST(Uri, SettingsThatContradictEachOtherAreRefused) {
 TEST(Uri, AnUnknownSchemeListsAll) {
   EXPECT_EQ(error_of("rs232:/dev/ttyS0"),
             "\"rs232:/dev/ttyS0\": unknown scheme \"rs232\"; allowed are serial pty tcp udp file "
-            "memory socketcan slcan memory-can can:auto");
+            "memory socketcan slcan gateway memory-can can:auto");
   EXPECT_EQ(error_of("/dev/ttyS0"),
             "\"/dev/ttyS0\": a link is scheme:target; schemes are serial pty tcp udp file memory "
-            "socketcan slcan memory-can can:auto");
+            "socketcan slcan gateway memory-can can:auto");
   EXPECT_EQ(error_of("can:vcan0"),
             "\"can:vcan0\": unknown scheme \"can\"; allowed are serial pty tcp udp file memory "
-            "socketcan slcan memory-can can:auto");
+            "socketcan slcan gateway memory-can can:auto");
 }
 
 TEST(Uri, AnUnknownKeyListsThoseOfItsScheme) {
@@ -176,6 +189,10 @@ TEST(Uri, ARecordingsKeysFitWhatItIsToCarry) {
   EXPECT_EQ(misfit("file:can.log?speed=2&format=asc&interface=can1", Carries::frames), "");
   EXPECT_EQ(misfit("file:dive.cap?format=trc", Carries::bytes),
             "\"file:dive.cap?format=trc\": format=trc is for CAN frames; for bytes there is raw");
+  EXPECT_EQ(misfit("file:can.log?bitrate=500000&data_bitrate=2000000", Carries::frames), "");
+  EXPECT_EQ(misfit("file:dive.cap?bitrate=500000", Carries::bytes),
+            "\"file:dive.cap?bitrate=500000\": bitrate is for CAN frames; the rate of a line of "
+            "bytes is baud");
   EXPECT_EQ(misfit("file:can.log?format=raw", Carries::frames),
             "\"file:can.log?format=raw\": format=raw is for bytes; for CAN frames there are "
             "pcap, pcapng, blf, candump-log, candump-screen, asc, trc, canboat, actisense, "
