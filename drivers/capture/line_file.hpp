@@ -49,6 +49,9 @@ class LineFile {
   }
   /// True if the times are a logger's, of those read so far, and none has a fraction of a second.
   bool has_whole_seconds() const { return !packets_ && content_.stamps().whole_seconds(); }
+  /// True if the times are a logger's without a date: they count from the midnight before the
+  /// first one.
+  bool is_without_date() const { return !packets_ && content_.stamps().without_date(); }
 
  private:
   bool begin();

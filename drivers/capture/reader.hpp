@@ -28,7 +28,7 @@ class Reader {
 /// A text format: lines ended by LF, CR or CR LF.
 class LineReader : public Reader {
  public:
-  static constexpr std::size_t longest_line = 2048;
+  static constexpr std::size_t longest_line = 8192;  ///< canboat: 1785 bytes in hexadecimal
 
   Scan scan(Bytes bytes, bool at_end) override;
   Reading read(Bytes unit) final;

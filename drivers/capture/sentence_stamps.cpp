@@ -9,6 +9,7 @@
 namespace drydock::capture {
 namespace {
 
+using std::chrono::nanoseconds;
 using wire::Bytes;
 
 bool ends_line(std::uint8_t byte) { return byte == '\r' || byte == '\n'; }
@@ -31,14 +32,27 @@ bool is_sentence(std::string_view text) {
   return high && low && sum == *high * 16 + *low;
 }
 
+/// `$PUHAW,UVH,...` without a checksum, behind a time: the name and the time show what is what.
+bool is_named_behind_time(std::string_view before, std::string_view text) {
+  constexpr std::size_t shortest_name = 3;
+  const std::string_view name = text.substr(1, text.find(',') - 1);
+  const bool is_name = text.find(',') != text.npos && name.size() >= shortest_name &&
+                       std::ranges::all_of(name, [](char c) {
+                         return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+                       });
+  return is_name && text.find('*') == text.npos && logger_time(before).has_value();
+}
+
 enum class Line : std::uint8_t { other, bare, stamped, tagged };
 
 Line kind_of(Bytes line) {
   if (!std::ranges::all_of(line, is_text)) return Line::other;
   const auto start = std::ranges::find_if(line, begins_sentence);
   const auto at = static_cast<std::size_t>(start - line.begin());
-  const bool sound = start != line.end() && is_sentence(wire::as_text(line.subspan(at)));
-  if (!sound) return Line::other;
+  if (start == line.end()) return Line::other;
+  const std::string_view before = wire::as_text(line.first(at)),
+                         text = wire::as_text(line.subspan(at));
+  if (!is_sentence(text)) return is_named_behind_time(before, text) ? Line::stamped : Line::other;
   if (at == 0) return Line::bare;
   return line[0] == '\\' ? Line::tagged : Line::stamped;
 }
@@ -77,11 +91,17 @@ Bytes SentenceStamps::without(Bytes block) {
 /// Of the text in front of the sentence that begins now.
 void SentenceStamps::read_time() {
   const auto text = wire::as_text(before_);
-  const auto found = front_ == SentenceFront::stamp ? logger_time(text) : tag_block_time(text);
+  const auto found =
+      front_ == SentenceFront::stamp ? logger_time(text, order_) : tag_block_time(text);
   if (!found) return;
+  if (found->order != DateOrder::unknown) order_ = found->order;
+  if (!dated_) dated_ = !found->of_day;
+  if (*dated_ && found->of_day) return;  // a torn stamp
   ++timed_;
   whole_seconds_ = whole_seconds_ && found->whole_second;
-  last_ = steady_.of("", found->of_day ? days_.since_first_midnight(found->time) : found->time);
+  constexpr std::chrono::hours day{24};
+  last_ = steady_.of(
+      "", *dated_ ? found->time : days_.since_first_midnight(found->time % nanoseconds{day}));
 }
 
 /// A line without a sentence stays as it is.

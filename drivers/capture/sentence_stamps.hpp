@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "drivers/capture/logger_date.hpp"
 #include "drivers/capture/steady_times.hpp"
 #include "drivers/wire/codec.hpp"
 #include "drivers/wire/day_clock.hpp"
@@ -37,6 +38,8 @@ class SentenceStamps {
   std::uint64_t lines() const { return lines_; }         ///< that had a stamp
   std::uint64_t timed_lines() const { return timed_; }   ///< whose stamp or TAG block had a time
   bool whole_seconds() const { return whole_seconds_; }  ///< no time had a fraction
+  /// True if the times are of day: no date stands beside the first one.
+  bool without_date() const { return dated_ == false; }
   const SteadyTimes& clock() const { return steady_; }
 
  private:
@@ -48,6 +51,8 @@ class SentenceStamps {
   std::vector<std::uint8_t> bytes_, before_;
   std::vector<Timed> times_;
   std::optional<std::chrono::nanoseconds> last_;  ///< time of the present line, or one before
+  std::optional<bool> dated_;                     ///< the first time decides it
+  DateOrder order_ = DateOrder::unknown;
   wire::DayClock days_;
   SteadyTimes steady_;
   bool whole_seconds_ = true;

@@ -40,6 +40,11 @@ nanoseconds step_of(nanoseconds from, nanoseconds to) {
 
 bool is_jump(nanoseconds step) { return step < 0ns || step > 24h; }
 
+/// Messages of one instant may tell it with more and with fewer decimals, or change places.
+bool is_rounding(nanoseconds step, nanoseconds usual) {
+  return step < 0ns && -step < std::min<nanoseconds>(usual / 2, 100ms);
+}
+
 /// The median of the steps forward; zero if there are none.
 nanoseconds usual_step(const MessageTimes& told) {
   std::vector<nanoseconds> steps;
@@ -61,15 +66,19 @@ RecordedTimes times_in_order(const MessageTimes& told) {
   if (usual == 0ns) return times;
   times.usual_step = usual;
   times.messages.push_back(told.front());
+  nanoseconds ahead{};  // the last time, of the clock
   for (std::size_t i = 1; i < told.size(); ++i) {
-    const nanoseconds step = step_of(told[i - 1].at, told[i].at);
-    times.jumps += is_jump(step);
-    const auto& last = times.messages.back();
-    times.messages.push_back({told[i].through, last.at + (is_jump(step) ? usual : step)});
+    nanoseconds step = step_of(told[i - 1].at, told[i].at);
+    const bool jumps = is_jump(step) && !is_rounding(step, usual);
+    times.jumps += jumps;
+    if (jumps) step = usual;
+    const nanoseconds forward = std::max(0ns, step - ahead);
+    ahead += forward - step;
+    times.messages.push_back({told[i].through, times.messages.back().at + forward});
   }
   // A number that falls as often as it rises is no time.
   constexpr std::size_t fewest_steps_a_jump = 10;
-  if (times.jumps * fewest_steps_a_jump > told.size()) return {};
+  if (times.jumps * fewest_steps_a_jump > told.size()) times.messages.clear();
   return times;
 }
 

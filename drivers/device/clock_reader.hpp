@@ -10,7 +10,8 @@
 
 namespace drydock::device {
 
-/// The times of a recording's messages. Empty if the protocol does not tell the device's time.
+/// The times of a recording's messages. Empty if the protocol does not tell the device's time, or
+/// if its clock jumps too often to be one.
 struct RecordedTimes {
   measurement::MessageTimes messages;
   std::chrono::nanoseconds usual_step{0};  ///< from one to the next, the median
@@ -49,7 +50,8 @@ class ClockReader final : private Output {
 };
 
 /// Makes of what a clock told times that never fall. A time of day and a time of week may begin
-/// anew. A clock that tells hardly a step forward is none.
+/// anew; a fall below half a usual step and 0.1 s is one of rounding and no jump. A clock that
+/// tells hardly a step forward is none.
 RecordedTimes times_in_order(const measurement::MessageTimes& told);
 
 }  // namespace drydock::device

@@ -72,7 +72,8 @@ void RecordedLine::act_on_packet(Stamp now) {
 }
 
 Stamp RecordedLine::due() const {
-  return start_ + (read_.time.value_or(Stamp::duration{0}) - clock_.first.time_since_epoch());
+  const Stamp::duration time = read_.time.value_or(Stamp::duration{0}) + clock_.date;
+  return start_ + (time - clock_.first.time_since_epoch());
 }
 
 void RecordedLine::act(Stamp now) {

@@ -11,6 +11,7 @@
 #include "drivers/capture/capture_file.hpp"
 #include "drivers/device/shared_times.hpp"
 #include "drivers/link/can/frame_file.hpp"
+#include "drivers/shell/receiver_date.hpp"
 
 namespace drydock::shell {
 namespace {
@@ -101,7 +102,11 @@ void read_device_times(RecordingClock& clock, const link::Uri& uri,
     told = clock_in(beside.told);
     clock.told_by_receiver = told != nullptr;
   }
-  if (told == nullptr) return;
+  if (told == nullptr) {
+    for (const auto& one : own.told)
+      clock.times.jumps = std::max(clock.times.jumps, one.times.jumps);
+    return;
+  }
   clock.times = std::move(*told);
   clock.times.messages = device::times_at(clock.times.messages, own.places);
 }
@@ -131,12 +136,33 @@ bool has_whole_seconds(const link::Uri& uri) {
   return line.has_whole_seconds();
 }
 
+bool is_without_date(const link::Uri& uri) {
+  capture::LineFile line(uri.target, false, std::string(uri.text_of("interface")));
+  return line.next() && line.is_without_date();
+}
+
 /// The lines and buses of one file keep their distances, so they count from the first time in it.
 Stamp begin_of_file(const link::Uri& uri, std::chrono::nanoseconds own_first) {
   const auto read = capture::has_times(uri.target) ? first_read(uri, "*") : std::nullopt;
   const auto record = capture::CaptureFile(uri.target, uri.text_of("format"), "").next();
   return Stamp{std::min({own_first, read.value_or(own_first),
                          record ? record->time.value_or(own_first) : own_first})};
+}
+
+std::string in_times(std::size_t jumps) {
+  return jumps == 1 ? "once" : fmt::format("{} times", jumps);
+}
+
+RecordingClock by_arrival(RecordingClock clock, const link::Uri& uri,
+                          std::chrono::nanoseconds own_first) {
+  clock.pace = Pace::arrival;
+  if (is_without_date(uri)) {
+    const auto date = date_by_receiver(uri);
+    clock.date_of = date ? DateOf::receiver : DateOf::nobody;
+    clock.date = date.value_or(clock.date);
+  }
+  clock.first = begin_of_file(uri, own_first) + clock.date;
+  return clock;
 }
 
 RecordingClock by_device(RecordingClock clock) {
@@ -149,15 +175,29 @@ RecordingClock by_device(RecordingClock clock) {
 
 std::string RecordingClock::in_words() const {
   switch (pace) {
-    case Pace::arrival: return "times: of the capture";
+    case Pace::arrival:
+      switch (date_of) {
+        case DateOf::receiver:
+          return "times: of the capture, which tells no date: it is that of a GNSS receiver in it";
+        case DateOf::nobody:
+          return "times: of the capture, which tells no date: they count from the midnight before "
+                 "the first one, as if that were 1970-01-01";
+        case DateOf::capture: break;
+      }
+      return "times: of the capture";
     case Pace::device:
-      return fmt::format(
-          "times: of {}{}",
-          told_by_receiver ? "the clock that a GNSS receiver on its line tells"
-                           : "the device's own clock",
-          times.jumps > 0 ? fmt::format(", which jumped {} times", times.jumps) : "");
+      return fmt::format("times: of {}{}",
+                         told_by_receiver ? "the clock that a GNSS receiver on its line tells"
+                                          : "the device's own clock",
+                         times.jumps > 0 ? ", which jumped " + in_times(times.jumps) : "");
     case Pace::line: break;
   }
+  if (times.jumps > 0)
+    return fmt::format(
+        "no times: the capture has none, and the device's own clock jumped {}, too often to be "
+        "one, "
+        "so messages follow at the rate of the line",
+        in_times(times.jumps));
   return "no times: neither the capture nor the device tells them, so messages follow at the rate "
          "of the line";
 }
@@ -188,9 +228,7 @@ RecordingClock clock_of(const link::Uri& uri, std::span<const DriverOptions> dri
       if (wanted != "line" && has_whole_seconds(uri))
         read_device_times(clock, uri, drivers, travels);
       if (!clock.times.messages.empty()) return by_device(std::move(clock));
-      clock.pace = Pace::arrival;
-      clock.first = begin_of_file(uri, *first);
-      return clock;
+      return by_arrival(std::move(clock), uri, *first);
     }
   }
   if (wanted == "line") return clock;

@@ -12,6 +12,13 @@ namespace drydock::shell {
 
 using measurement::Stamp;
 
+/// Whose date the times of a capture have.
+enum class DateOf : std::uint8_t {
+  capture,   ///< its own, or it has no times
+  receiver,  ///< it has none: that of a GNSS receiver in it
+  nobody     ///< nobody tells it: the times count from a midnight, 1970-01-01
+};
+
 /// What gives a recording (`file:` link) its times.
 enum class Pace : std::uint8_t {
   arrival,  ///< the capture keeps when each frame or each read arrived
@@ -24,6 +31,8 @@ struct RecordingClock {
   device::RecordedTimes times{};  ///< pace device
   bool told_by_receiver = false;  ///< the device tells no time: a GNSS receiver on its line does
   Stamp first{};                  ///< the first time, UTC where the clock is; line: zero
+  DateOf date_of = DateOf::capture;
+  std::chrono::nanoseconds date{};  ///< of a receiver: what is added to the times of the capture
 
   std::string in_words() const;
   /// Of the device's messages by its own clock; otherwise empty.

@@ -118,6 +118,11 @@ Outcome read_capture(const std::string& path, unsigned baud) {
                                                   : Stamp{};  // bytes begin at zero
   auto outcome = CaptureBench(rig, std::move(devices), files, start).play(path, has_times);
   outcome.notes = report.recording;
+  for (const auto& device : outcome.devices)
+    if (device.refused > 0)
+      outcome.notes.push_back(fmt::format("{}: its driver left out {} value{}; it says: {}",
+                                          device.name, device.refused,
+                                          device.refused == 1 ? "" : "s", device.last_error));
   if (std::ranges::count_if(rig.devices, has_axes) > 1)
     outcome.notes.emplace_back(
         "a capture tells no mountings: what one sensor says against another holds where their axes "

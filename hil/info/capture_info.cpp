@@ -61,6 +61,7 @@ std::string to_text(const CaptureInfo& info) {
     text += fmt::format(
         "the clock went back: {} frames have times before an earlier frame's, by up to {:.3f} s\n",
         info.behind, std::chrono::duration<double>(info.most_behind).count());
+  if (!info.note.empty()) text += info.note + "\n";
   for (const auto& [name, frames] : info.interfaces)
     text +=
         fmt::format("interface {}: {} frames\n", name.empty() ? "without a name" : name, frames);

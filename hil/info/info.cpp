@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "drivers/capture/line_file.hpp"
 #include "drivers/probe/probe_report.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/info/capture_info.hpp"
@@ -50,8 +51,8 @@ int of_capture(const std::string& file, bool json, std::FILE* out) {
   if (!json && !lines.empty()) fmt::print(out, "{}", to_text(file, lines));
   const auto heard = probe::find_sensors("file:" + file + "?speed=max", 0);
   if (!on_bus && lines.empty() && !json)
-    fmt::print(out, "{}: {} bytes of a line, without times\n", file,
-               std::filesystem::file_size(file));
+    fmt::print(out, "{}: {} bytes of a line{}\n", file, std::filesystem::file_size(file),
+               capture::has_times(file) ? "" : ", without times");
   json ? probe::print_json(heard, out) : probe::print_text(heard, out);
   return terminal::exit_of(on_bus || !lines.empty() ||
                            heard.confidence() > survey::Confidence::nothing);

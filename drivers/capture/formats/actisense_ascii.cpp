@@ -2,7 +2,6 @@
 
 #include "drivers/capture/words.hpp"
 #include "drivers/wire/hex.hpp"
-#include "drivers/wire/nmea2000/fast_pgns.hpp"
 
 namespace drydock::capture {
 
@@ -41,8 +40,7 @@ Reading ActisenseAscii::read_line(std::string_view line) {
   auto message = parse(line);
   if (!message) return Reading::damage();
   message->time = clock_.since_first_midnight(*message->time);
-  return Reading::of(
-      frames_.first(*message, message->size > 8 || wire::is_fast_pgn(message->id.pgn)));
+  return frames_.first(*message, true);
 }
 
 }  // namespace drydock::capture

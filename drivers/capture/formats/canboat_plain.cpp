@@ -1,7 +1,6 @@
 #include "drivers/capture/formats/canboat_plain.hpp"
 
 #include "drivers/capture/words.hpp"
-#include "drivers/wire/nmea2000/fast_pgns.hpp"
 #include "drivers/wire/text_fields.hpp"
 
 namespace drydock::capture {
@@ -25,7 +24,7 @@ bool read_address(wire::TextFields& fields, wire::j1939::Identifier& id, std::si
     return number && *number <= largest ? number : std::nullopt;
   };
   const auto priority = within(7), pgn = within(0x3FFFF), source = within(255);
-  const auto destination = within(255), length = within(wire::fast_packet_max_bytes);
+  const auto destination = within(255), length = within(wire::j1939::transport_max_bytes);
   if (!priority || !pgn || !source || !destination || !length) return false;
   id = {static_cast<std::uint8_t>(*priority), *pgn, static_cast<std::uint8_t>(*destination),
         static_cast<std::uint8_t>(*source)};
@@ -55,8 +54,7 @@ Reading CanboatPlain::read_line(std::string_view line) {
   const auto message = parse(line);
   if (!message) return Reading::damage();
   assembled_ = assembled_ || message->size > 8;
-  const bool is_fast = message->size > 8 || (assembled_ && wire::is_fast_pgn(message->id.pgn));
-  return Reading::of(frames_.first(*message, is_fast));
+  return frames_.first(*message, assembled_);
 }
 
 }  // namespace drydock::capture

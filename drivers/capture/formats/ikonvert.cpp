@@ -2,7 +2,6 @@
 
 #include "drivers/capture/base64.hpp"
 #include "drivers/capture/words.hpp"
-#include "drivers/wire/nmea2000/fast_pgns.hpp"
 #include "drivers/wire/text_fields.hpp"
 
 namespace drydock::capture {
@@ -48,8 +47,7 @@ Reading Ikonvert::read_line(std::string_view line) {
   if (line.starts_with(told) || is_order(line)) return Reading::nothing();
   const auto message = parse(line);
   if (!message) return Reading::damage();
-  return Reading::of(
-      frames_.first(*message, message->size > 8 || wire::is_fast_pgn(message->id.pgn)));
+  return frames_.first(*message, true);
 }
 
 }  // namespace drydock::capture

@@ -6,7 +6,7 @@
 namespace drydock::capture {
 
 /// Lines of Digital Yacht's iKonvert: PGN, priority, source, destination, seconds since the gateway
-/// started, and the whole message in base64 (RFC 4648).
+/// started, and the whole message in base64 (RFC 4648), with and without its padding.
 ///    !PDGY,127257,3,17,255,0.563,AP9/UgAh/v8=
 /// A line with four fields is what the computer wants to send: PGN, destination and data. $PDGY
 /// lines are states and settings of the gateway. Neither was on the bus.

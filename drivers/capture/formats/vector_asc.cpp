@@ -66,6 +66,7 @@ bool VectorAsc::read_head(std::string_view line) {
   Words words(line);
   const std::string word = in_small_letters(words.next());
   if (word == "date") start_ = parse_start(words);
+  if (word == "begin") read_trigger(words);
   if (word == "base") {
     base_ = in_small_letters(words.next()) == "dec" ? 10 : 16;
     relative_ = in_small_letters(line).find("relative") != line.npos;
@@ -74,6 +75,20 @@ bool VectorAsc::read_head(std::string_view line) {
                                                               "no",   "begin", "end"};
   return word.starts_with("//") || std::find(words_of_the_head.begin(), words_of_the_head.end(),
                                              word) != words_of_the_head.end();
+}
+
+/// `Begin Triggerblock Tue Nov 14 10:13:20.000 PM 2023`
+void VectorAsc::read_trigger(Words words) {
+  words.next();
+  const auto triggered = parse_start(words);
+  constexpr nanoseconds rounding = std::chrono::seconds{1};  // some triggers have whole seconds
+  if (triggered == nanoseconds{0}) return;
+  if (start_ != nanoseconds{0} && triggered + rounding > start_) return;
+  note_ = start_ == nanoseconds{0}
+              ? "its times count from the date of its first trigger block"
+              : "its times count from the date of its first trigger block: the date of its head is "
+                "later, so a converter wrote it";
+  start_ = triggered;
 }
 
 Reading VectorAsc::read_line(std::string_view line) {

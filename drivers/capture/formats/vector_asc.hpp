@@ -15,15 +15,20 @@ namespace drydock::capture {
 ///       2.501000 1 ErrorFrame
 /// The head gives the base of identifiers and data (hex or dec). It also says whether a time counts
 /// from the start or from the previous line. Channel n is interface can(n-1), as in can-utils'
-/// asc2log. Lines of statistics, bus states and transport protocols contain no frame.
+/// asc2log. The head's date is that of the start, unless the first trigger block is older: a
+/// trigger cannot be before it, and a converter (python-can) writes its own time there. Lines of
+/// statistics, bus states and transport protocols contain no frame.
 class VectorAsc final : public LineReader {
  public:
   static constexpr std::string_view name = "asc";
   static bool recognises(std::string_view line);
 
+  std::string_view note() const override { return note_; }
+
  private:
   Reading read_line(std::string_view line) override;
   bool read_head(std::string_view line);
+  void read_trigger(Words words);
   Reading classic(std::string_view channel, Words words);
   Reading fast(Words words);
   bool read_identifier(std::string_view word, wire::CanFrame& frame) const;
@@ -31,7 +36,8 @@ class VectorAsc final : public LineReader {
 
   int base_ = 16;
   bool relative_ = false;
-  std::chrono::nanoseconds start_{};  ///< date in the head, since 1970
+  std::string_view note_;
+  std::chrono::nanoseconds start_{};  ///< date of the start, since 1970
   std::chrono::nanoseconds since_{};  ///< time of the last line, from the start
   std::string interface_;
 };

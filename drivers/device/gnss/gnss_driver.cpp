@@ -16,8 +16,16 @@ constexpr milliseconds pause_between_epochs{50};
 constexpr milliseconds pause_without_baud{100};
 constexpr std::size_t block_bytes = 128;
 
-constexpr milliseconds late_within{500};       ///< it came late, after its epoch
+constexpr milliseconds late_within = EpochPause::longest;  ///< it came late, after its epoch
+/// A receiver without a fix may tell one time again and again: the epoch of such a time ends too.
+constexpr std::chrono::seconds longest_epoch{2};
 constexpr std::chrono::seconds counts_for{5};  ///< a better message replaces others
+
+void refuse_late(std::string_view what, Output& out) {
+  Reason why{what};
+  why += " came after the epoch to which it belongs, and was left out";
+  out.refuse(why.view(), Refusal::incomplete);
+}
 
 bool recent(const std::optional<Stamp>& last, Stamp now) {
   return last && now - *last < counts_for;
@@ -28,8 +36,9 @@ bool recent(const std::optional<Stamp>& last, Stamp now) {
 GnssDriver::GnssDriver(const DriverOptions& options)
     : StreamDriver(options, options.protocol == wire::Nmea0183::name ? wire::Nmea0183::scan
                                                                      : wire::UbxNmea::scan),
-      pause_(options.baud ? pause_between_epochs + timing_.line_time(block_bytes)
-                          : pause_without_baud),
+      pause_(
+          options.baud ? pause_between_epochs + timing_.line_time(block_bytes) : pause_without_baud,
+          options.baud.has_value()),
       setup_(options.ublox) {}
 
 void GnssDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
@@ -52,7 +61,7 @@ void GnssDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out
 
 std::optional<Stamp> GnssDriver::epoch_ends_at() const {
   if (nmea_.empty() && ubx_.empty()) return {};
-  return last_bytes_ + pause_;
+  return last_bytes_ + pause_.length();
 }
 
 std::optional<Stamp> GnssDriver::deadline() const {
@@ -80,6 +89,8 @@ void GnssDriver::restart(Stamp now, Output& out) {
   StreamDriver::restart(now, out);
   nmea_.clear();
   ubx_.clear();
+  talker_.forget();
+  date_.forget();
   closed_time_of_day_.reset();
   itow_ = fix_itow_ = satellites_itow_ = closed_itow_ = std::nullopt;
   pvt_at_ = sat_at_ = ubx_fix_at_ = ubx_satellites_at_ = std::nullopt;
@@ -88,18 +99,56 @@ void GnssDriver::restart(Stamp now, Output& out) {
   setup_.start(now, out);
 }
 
+bool GnssDriver::is_of_receiver(wire::Talker talker, bool tells_position, const Origin& origin,
+                                Output& out) {
+  if (!talker_.counts(talker, tells_position, origin.received_at)) {
+    Reason why{"two receivers on one line: "};
+    why += talker_.chosen().text();
+    why += " counts, sentences of ";
+    why += talker.text();
+    why += " were left out";
+    out.refuse(why.view(), Refusal::of_another);
+    return false;
+  }
+  if (talker_.changed()) {  // what the other one told belongs to no epoch of this one
+    nmea_.clear();
+    closed_time_of_day_.reset();
+  }
+  return true;
+}
+
+/// Ends the epoch that is open if the sentence is of another one. What stands in front of the first
+/// time on a line, and apart from it, is the end of an epoch that was not heard.
+template <class Sentence>
+void GnssDriver::begin_or_go_on(const Sentence& sentence, const Origin& origin, Output& out) {
+  const bool of_unheard = !closed_time_of_day_ && !nmea_.time_of_day() && requires {
+    sentence.time_of_day;
+  }
+  &&nmea_.since_last(origin.received_at) > pause_without_baud;
+  if (of_unheard || nmea_.ends_before(sentence) ||
+      nmea_.since_first(origin.received_at) > longest_epoch)
+    close_nmea_epoch(out);
+  else
+    pause_.was_inside(nmea_.since_last(origin.received_at));
+}
+
 template <class Sentence>
 void GnssDriver::on_timed(const Sentence& sentence, const Origin& origin, Output& out) {
-  if (nmea_.ends_before(sentence)) close_nmea_epoch(out);
-  const bool straggler = !nmea_.time_of_day() && sentence.time_of_day &&
-                         sentence.time_of_day == closed_time_of_day_ &&
+  constexpr bool tells_position = requires { sentence.latitude_rad; };
+  if (!is_of_receiver(sentence.talker, tells_position, origin, out)) return;
+  begin_or_go_on(sentence, origin, out);
+  const bool straggler = !nmea_.time_of_day() &&
+                         NmeaEpoch::is_same(sentence.time_of_day, closed_time_of_day_) &&
                          origin.received_at - closed_at_ < late_within;
-  if (!straggler) nmea_.add(sentence, origin);
+  if (!straggler) return nmea_.add(sentence, origin);
+  pause_.was_inside(origin.received_at - closed_at_);
+  refuse_late(Sentence::type, out);
 }
 
 template <class Sentence>
 void GnssDriver::on_untimed(const Sentence& sentence, const Origin& origin, Output& out) {
-  if (nmea_.ends_before(sentence)) close_nmea_epoch(out);
+  if (!is_of_receiver(sentence.talker, false, origin, out)) return;
+  begin_or_go_on(sentence, origin, out);
   nmea_.add(sentence, origin);
 }
 
@@ -107,11 +156,15 @@ void GnssDriver::close_nmea_epoch(Output& out) {
   if (nmea_.empty()) return;
   const bool fix_told = recent(ubx_fix_at_, last_bytes_) || ubx_.fix();
   const bool satellites_told = recent(ubx_satellites_at_, last_bytes_) || ubx_.satellites();
-  const auto fix = fix_told ? std::nullopt : nmea_.fix();
+  auto fix = fix_told ? std::nullopt : nmea_.fix();
   const auto satellites = satellites_told ? std::nullopt : nmea_.satellites();
+  if (const auto utc = nmea_.utc()) date_.told(*utc, last_bytes_);
+  if (fix && fix->type != measurement::FixType::none && !fix->utc && nmea_.time_of_day())
+    fix->utc = date_.of(*nmea_.time_of_day(), last_bytes_);
   if (nmea_.time_of_day()) closed_time_of_day_ = nmea_.time_of_day();
   closed_at_ = last_bytes_;
   nmea_.clear();
+  pause_.epoch_is_over();
   if (fix) publish_possible(*fix, out);
   if (satellites) out.publish(*satellites);
 }
@@ -121,7 +174,10 @@ Origin GnssDriver::enter_epoch(milliseconds itow, const Origin& origin, Output& 
     close_ubx_epoch(out);
     itow_ = itow;
     itow_valid_at_ = origin.valid_at;
+  } else {
+    pause_.was_inside(origin.received_at - itow_received_at_);
   }
+  itow_received_at_ = origin.received_at;
   Origin of_epoch = origin;
   of_epoch.valid_at = itow_valid_at_;
   of_epoch.device_time = itow;
@@ -132,7 +188,8 @@ template <class Part>
 requires requires(UbxEpoch& epoch, const Part& part, const Origin& o) { epoch.add(part, o); }
 void GnssDriver::on(const Part& part, const Origin& origin, Output& out) {
   const Origin of_epoch = enter_epoch(part.itow, origin, out);
-  if (closed_itow_ != part.itow) ubx_.add(part, of_epoch);  // otherwise the part came too late
+  if (closed_itow_ == part.itow) return refuse_late(Part::type, out);
+  ubx_.add(part, of_epoch);
 }
 
 void GnssDriver::on(const wire::NavEoe& eoe, const Origin& origin, Output& out) {
@@ -146,6 +203,7 @@ void GnssDriver::close_ubx_epoch(Output& out) {
   const auto satellites = recent(sat_at_, last_bytes_) ? std::nullopt : ubx_.satellites();
   closed_itow_ = itow_;
   ubx_.clear();
+  pause_.epoch_is_over();
   if (fix) {
     fix_itow_ = itow_;
     ubx_fix_at_ = last_bytes_;

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "drivers/device/gnss/epoch_pause.hpp"
 #include "drivers/device/gnss/nmea_epoch.hpp"
+#include "drivers/device/gnss/position_talker.hpp"
 #include "drivers/device/gnss/ublox_setup.hpp"
 #include "drivers/device/gnss/ubx_epoch.hpp"
+#include "drivers/device/gnss/utc_date.hpp"
 #include "drivers/device/stream_driver.hpp"
 #include "drivers/wire/ubx/ubx_nmea.hpp"
 
@@ -15,7 +18,9 @@ namespace drydock::device {
 ///          iTOW begins, or when the line pauses. valid_at follows from the first navigation
 ///          message of the iTOW, because earlier messages on the line delay the later ones.
 ///    NMEA  the sentences of an epoch have one time of day. The epoch ends when another time
-///          begins or the line pauses.
+///          begins or the line pauses. The date is that of the last sentence that told one. Of
+///          several receivers on the line one counts (PositionTalker).
+/// What comes after its epoch has ended, and what is of another receiver, is refused.
 /// Where the rig says how, a u-blox is set up when the link opens (UbloxSetup).
 /// A message is ignored if a better one of its epoch has the same content: parts beside NAV-PVT
 /// (NAV-SAT), NMEA beside UBX.
@@ -38,6 +43,10 @@ class GnssDriver final : public StreamDriver<wire::UbxNmea::max_frame> {
   template <class Part>
   requires requires(UbxEpoch& epoch, const Part& part, const Origin& o) { epoch.add(part, o); }
   void on(const Part& part, const Origin& origin, Output& out);
+  /// False if the sentence is of another receiver than the one that counts.
+  bool is_of_receiver(wire::Talker talker, bool tells_position, const Origin& origin, Output& out);
+  template <class Sentence>
+  void begin_or_go_on(const Sentence& sentence, const Origin& origin, Output& out);
   template <class Sentence>
   void on_timed(const Sentence& sentence, const Origin& origin, Output& out);
   void on(const wire::Gga& s, const Origin& o, Output& out) { on_timed(s, o, out); }
@@ -57,17 +66,19 @@ class GnssDriver final : public StreamDriver<wire::UbxNmea::max_frame> {
   void close_ubx_epoch(Output& out);
   void close_nmea_epoch(Output& out);
 
-  std::chrono::nanoseconds pause_;  ///< a pause this long on the line ends an epoch
+  EpochPause pause_;  ///< a pause this long on the line ends an epoch
   Stamp last_bytes_{};
 
   UbloxSetup setup_;
+  PositionTalker talker_;
+  UtcDate date_;
   NmeaEpoch nmea_;
   NmeaEpoch::TimeOfDay closed_time_of_day_;
   Stamp closed_at_{};
 
   UbxEpoch ubx_;
   std::optional<std::chrono::milliseconds> itow_;  ///< iTOW of the current UBX epoch
-  Stamp itow_valid_at_{};
+  Stamp itow_valid_at_{}, itow_received_at_{};     ///< of its first message, of its last one
   std::optional<std::chrono::milliseconds> fix_itow_, satellites_itow_;  ///< last published
   std::optional<std::chrono::milliseconds> closed_itow_;  ///< parts with this iTOW come too late
   std::optional<Stamp> pvt_at_, sat_at_;                  ///< last complete messages

@@ -21,6 +21,8 @@ std::optional<FixType> other_than_measured(const wire::Gns& gns) {
     return std::ranges::any_of(gns.modes, [=](char c) { return letters.find(c) != letters.npos; });
   };
   if (has("ADPRF")) return {};
+  // Without any mode only its satellites say that it measured.
+  if (!has("NEMS") && gns.satellites_used.value_or(0) > 0) return {};
   return has("E") ? FixType::dead_reckoning : FixType::none;
 }
 
@@ -63,15 +65,29 @@ void take_position(const std::optional<Sentence>& s, GnssFix& fix) {
 }  // namespace
 
 void NmeaEpoch::begin(const Origin& origin, const TimeOfDay& time_of_day) {
-  if (!began_) began_ = origin;
+  if (!began_) {
+    began_ = origin;
+    first_at_ = origin.received_at;
+  }
   began_->received_at = origin.received_at;
-  if (time_of_day) time_of_day_ = time_of_day;
+  time_of_day_ = std::max(time_of_day_, time_of_day);  // the one with most decimals; empty is least
   last_is_gsa_ = false;
 }
 
 bool NmeaEpoch::differs(const TimeOfDay& time_of_day, bool have_one) const {
-  if (time_of_day && time_of_day_) return *time_of_day != *time_of_day_;
+  if (time_of_day && time_of_day_) return !is_same(time_of_day, time_of_day_);
   return have_one;
+}
+
+/// Some receivers send one GGA for each constellation, with the satellites of this one alone.
+void NmeaEpoch::add(const wire::Gga& s, const Origin& origin) {
+  constexpr wire::Talker of_all{"GN"};
+  begin(origin, s.time_of_day);
+  if (gga_ && gga_->talker != s.talker) {
+    if (gga_->talker == of_all) return;
+    used_by_others_ = s.talker == of_all ? 0 : used_by_others_ + gga_->satellites_used.value_or(0);
+  }
+  gga_ = s;
 }
 
 void NmeaEpoch::add(const wire::Gns& s, const Origin& origin) {
@@ -121,13 +137,12 @@ std::optional<FixQuality> NmeaEpoch::quality() const {
 }
 
 std::optional<GnssFix> NmeaEpoch::fix() const {
-  if (!began_ || (!gga_ && !gns_ && !rmc_ && !gll_)) return {};
+  if (!began_ || !has_position_sentence()) return {};
   GnssFix fix;
   fix.origin = *began_;
   fix.origin.device_time = time_of_day_;
   fix.type = fix_type();
-  if (gga_) fix.satellites_used = gga_->satellites_used;
-  if (!gga_ && gns_) fix.satellites_used = gns_->satellites_used;
+  fix.satellites_used = satellites_used();
   fix.position_dop = position_dop_;
   if (fix.type == FixType::none) return fix;
   fix.quality = quality();
@@ -136,6 +151,13 @@ std::optional<GnssFix> NmeaEpoch::fix() const {
   fill_motion(fix);
   fix.utc = utc();
   return fix;
+}
+
+/// GNS has one number for all constellations; a GGA beside it may count those of its talker alone.
+std::optional<int> NmeaEpoch::satellites_used() const {
+  if (gns_ && gns_->satellites_used) return gns_->satellites_used;
+  if (!gga_ || !gga_->satellites_used) return {};
+  return *gga_->satellites_used + used_by_others_;
 }
 
 void NmeaEpoch::fill_position(GnssFix& fix) const {
@@ -164,7 +186,7 @@ void NmeaEpoch::fill_motion(GnssFix& fix) const {
 }
 
 std::optional<measurement::Stamp> NmeaEpoch::utc() const {
-  if (!time_of_day_) return {};
+  if (!time_of_day_ || (has_position_sentence() && fix_type() == FixType::none)) return {};
   std::optional<std::chrono::year_month_day> date;
   if (zda_) date = zda_->date;
   if (!date && rmc_) date = rmc_->date;

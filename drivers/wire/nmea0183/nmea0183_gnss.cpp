@@ -53,8 +53,7 @@ std::optional<double> read_speed(SentenceReader& fields, std::size_t letter) {
 bool read(SentenceReader& fields, Gga& m) {
   m.talker = fields.talker();
   m.time_of_day = fields.time();
-  m.latitude_rad = fields.latitude();
-  m.longitude_rad = fields.longitude();
+  fields.position(m.latitude_rad, m.longitude_rad);
   m.quality = fields.integer();
   m.satellites_used = fields.integer();
   m.horizontal_dop = dilution(fields.number());
@@ -74,8 +73,7 @@ bool read(SentenceReader& fields, Rmc& m) {
   m.talker = fields.talker();
   m.time_of_day = fields.time();
   m.valid = fields.letter().value == 'A';
-  m.latitude_rad = fields.latitude();
-  m.longitude_rad = fields.longitude();
+  fields.position(m.latitude_rad, m.longitude_rad);
   m.speed_mps = scaled(fields.number(), units::knot);
   m.course_rad = fields.angle();
   m.date = read_short_date(fields);

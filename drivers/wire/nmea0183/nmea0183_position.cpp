@@ -7,8 +7,7 @@ namespace drydock::wire {
 bool read(SentenceReader& fields, Gns& m) {
   m.talker = fields.talker();
   m.time_of_day = fields.time();
-  m.latitude_rad = fields.latitude();
-  m.longitude_rad = fields.longitude();
+  fields.position(m.latitude_rad, m.longitude_rad);
   const std::string_view modes = fields.text();
   m.modes.assign(modes.begin(), modes.begin() + std::min(modes.size(), m.modes.capacity()));
   m.satellites_used = fields.integer();
@@ -19,8 +18,9 @@ bool read(SentenceReader& fields, Gns& m) {
   m.differential_station = fields.integer();
   m.nav_status = fields.letter();
   // Mode N means that a constellation gave no fix. Without any other mode the position is not
-  // valid.
-  if (modes.find_first_not_of("N ") == std::string_view::npos) {
+  // valid. A field without a mode says nothing.
+  const bool no_mode = modes.find_first_not_of(' ') == std::string_view::npos;
+  if (no_mode ? m.satellites_used == 0 : modes.find_first_not_of("N ") == std::string_view::npos) {
     m.latitude_rad = m.longitude_rad = m.mean_sea_level_height_m = std::nullopt;
   }
   return true;
@@ -28,8 +28,7 @@ bool read(SentenceReader& fields, Gns& m) {
 
 bool read(SentenceReader& fields, Gll& m) {
   m.talker = fields.talker();
-  m.latitude_rad = fields.latitude();
-  m.longitude_rad = fields.longitude();
+  fields.position(m.latitude_rad, m.longitude_rad);
   m.time_of_day = fields.time();
   m.valid = fields.letter().value == 'A';
   m.mode = fields.letter();

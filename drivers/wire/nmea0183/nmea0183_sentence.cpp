@@ -136,6 +136,13 @@ std::optional<double> SentenceReader::latitude() { return coordinate(90, 'N', 'S
 
 std::optional<double> SentenceReader::longitude() { return coordinate(180, 'E', 'W'); }
 
+void SentenceReader::position(std::optional<double>& latitude_rad,
+                              std::optional<double>& longitude_rad) {
+  latitude_rad = latitude();
+  longitude_rad = longitude();
+  if (!latitude_rad || !longitude_rad) latitude_rad = longitude_rad = std::nullopt;
+}
+
 std::optional<double> SentenceReader::coordinate(double limit_deg, char positive, char negative) {
   const auto digits = number();
   const char hemisphere = letter().value;

@@ -38,7 +38,7 @@ struct Letter {
 Bytes without_tag(Bytes frame);
 
 /// Reads the fields of a valid sentence from left to right. A field that is empty, missing at the
-/// end or malformed reads as empty and never affects the others.
+/// end or malformed reads as empty and never affects the others; position() joins two.
 class SentenceReader {
  public:
   /// `frame` is a frame of the scan. A proprietary or malformed address, and a sentence that begins
@@ -57,9 +57,11 @@ class SentenceReader {
   std::optional<int> hexadecimal();
   std::optional<double> angle() {
     return scaled(number(), radians(1));
-  }                                                ///< degrees on the wire, rad here
-  std::optional<double> latitude();                ///< ddmm.m,N|S; two fields; rad
-  std::optional<double> longitude();               ///< dddmm.m,E|W; two fields; rad
+  }                                   ///< degrees on the wire, rad here
+  std::optional<double> latitude();   ///< ddmm.m,N|S; two fields; rad
+  std::optional<double> longitude();  ///< dddmm.m,E|W; two fields; rad
+  /// latitude() and longitude(): both, or none of them.
+  void position(std::optional<double>& latitude_rad, std::optional<double>& longitude_rad);
   std::optional<double> eastward();                ///< degrees,E|W; two fields; rad
   std::optional<std::chrono::nanoseconds> time();  ///< hhmmss.s of the UTC day, also 23:59:60
 

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "drivers/wire/nmea2000/fast_packet.hpp"
@@ -88,6 +89,22 @@ TEST(AscFile, TheDateOfItsHeadIsTheTimeOfItsStart) {
   EXPECT_EQ(time("Sat Sep 30 03:06:13.191 pm 2017"), 1506783973191ms + 1500ms);
   EXPECT_EQ(time("Mon Dez 1 12:00:00 am 2025"), 1764547200000ms + 1500ms);
   EXPECT_EQ(time("Mandag 1 desember"), 1500ms);
+}
+
+/// python-can writes the time of the conversion into the head, and that of the data into the block;
+/// its own ASCReader gives 1700000000.0.
+TEST(AscFile, ATriggerBlockBeforeTheDateOfItsHeadIsTheStart) {
+  const auto time = [&](const std::string& head, const std::string& block) {
+    return only(head + "base hex  timestamps absolute\nBegin Triggerblock " + block +
+                "\n   1.500000 1  123x            Rx   d 1 68\n")
+        .time;
+  };
+  const std::string head = "date Thu Nov 26 10:09:56.678 PM 2026\n";
+  EXPECT_EQ(time(head, "Tue Nov 14 10:13:20.000 PM 2023"), 1700000000s + 1500ms);
+  EXPECT_EQ(time("", "Tue Nov 14 10:13:20.000 PM 2023"), 1700000000s + 1500ms);
+  const auto of_head = 1795730996678ms + 1500ms;
+  EXPECT_EQ(time(head, "Thu Nov 26 10:10:06.000 PM 2026"), of_head) << "a trigger comes later";
+  EXPECT_EQ(time(head, "Thu Nov 26 10:09:56 PM 2026"), of_head) << "rounded down to its second";
 }
 
 TEST(TrcFile, LinesOfCantoolsTestsForVersion12) {
@@ -187,6 +204,67 @@ TEST(CanboatFile, BehindAnAssembledMessageAShortOneOfAFastPacketIsWholeToo) {
   ASSERT_TRUE(list);
   EXPECT_EQ(std::vector(list->data.begin(), list->data.end()),
             (std::vector<std::uint8_t>{0x01, 0x04, 0xFF, 0x01, 0x11, 0xFB, 0x01}));
+}
+
+/// Lines of canboatjs' tests. A system time (126992) is one frame of 8 bytes.
+TEST(LinesOfWholeMessages, OfAPgnThatIsOneFrameMoreThanEightBytesAreItsFirstEight) {
+  for (const std::string line :
+       {"2024-01-01-00:00:00.000,3,126992,2,255,12,77,6d,34,f5,e7,b8,e7,96,fc,f3,6d,5d\n",
+        "!PDGY,126992,3,2,255,0.563,d2009e45b3b8821d\n",
+        "A173321.107 02FF3 1F010 77D2009E45B3B8821D00\n"}) {
+    const Outcome outcome = read_capture(line);
+    ASSERT_EQ(outcome.records.size(), 1U) << line;
+    EXPECT_EQ(outcome.records[0].frame.id, 0x0DF01002U) << line;
+    EXPECT_EQ(outcome.records[0].frame.size, 8) << line;
+    EXPECT_EQ(outcome.records[0].frame.data[0], 0x77) << line;  // SID 119
+    EXPECT_EQ(outcome.damaged, 1U) << line << "what was left out is said";
+    EXPECT_EQ(outcome.bytes_skipped, 0U) << line;
+  }
+}
+
+/// J1939-81's commanded address (65240): the NAME of 8 bytes and the new address. J1939-21 has the
+/// announcement: 20h, size, packets, FFh, PGN.
+TEST(LinesOfWholeMessages, OfAPgnOfJ1939MoreThanEightBytesCameByItsTransportProtocol) {
+  for (const std::string to : {"255", "36"}) {
+    const Outcome outcome = read_capture("2024-01-01-00:00:00.000,6,65240,17," + to +
+                                         ",9,01,02,03,04,05,06,07,08,2a\n");
+    ASSERT_EQ(outcome.records.size(), 3U);
+    EXPECT_EQ(outcome.damaged, 0U);
+    const bool to_all = to == "255";
+    EXPECT_EQ(outcome.records[0].frame.id, to_all ? 0x1CECFF11U : 0x1CEC2411U);
+    EXPECT_THAT(data_of(outcome.records[0]),
+                ElementsAre(to_all ? 0x20 : 0x10, 9, 0, 2, 0xFF, 0xD8, 0xFE, 0));
+    EXPECT_THAT(data_of(outcome.records[1]), ElementsAre(1, 1, 2, 3, 4, 5, 6, 7));
+    EXPECT_THAT(data_of(outcome.records[2]), ElementsAre(2, 8, 0x2A, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF));
+  }
+}
+
+/// canboat's iso-tp-preassembled-test.in has a line of satellites (129540) with 1779 bytes.
+TEST(LinesOfWholeMessages, MoreThanAFastPacketHoldsCameByTheTransportProtocol) {
+  std::string line = "2026-07-04T00:00:00.000Z,6,129540,23,255,1779";
+  for (int i = 0; i < 1779; ++i) line += fmt::format(",{:02x}", i % 251);
+  const Outcome outcome = read_capture(line + "\n");
+  ASSERT_EQ(outcome.records.size(), 1U + 255U);  // 1779 = 254 * 7 + 1
+  EXPECT_THAT(data_of(outcome.records[0]),
+              ElementsAre(0x20, 0xF3, 0x06, 255, 0xFF, 0x04, 0xFA, 0x01));
+  EXPECT_EQ(outcome.records.back().frame.data[0], 255);
+  EXPECT_EQ(outcome.records.back().frame.data[1], 1778 % 251);
+}
+
+/// A position of canboatjs' test/ikonvert.js: 47 bytes, without the = that would fill the last four
+/// letters. 51h is its SID.
+TEST(IkonvertFile, Base64MayComeWithoutItsPadding) {
+  const std::string data = "UZ9FfR+bI/////////9//////////3//////////fwD8AIgTiBMAAAAAAQAAAAA";
+  const std::string head = "!PDGY,129029,3,2,255,483.236,";
+  const Outcome bare = read_capture(head + data + "\n");
+  ASSERT_EQ(bare.records.size(), 7U);
+  EXPECT_EQ(bare.records[0].frame.data[1], 47);
+  EXPECT_EQ(bare.records[0].frame.data[2], 0x51);
+  EXPECT_EQ(read_capture(head + data + "=\n"), bare);
+  EXPECT_EQ(read_capture(head + data + "\n" + head + data + "AA\n").damaged, 1U)
+      << "6 bits are no byte";
+  EXPECT_EQ(read_capture(head + data + "\n!PDGY,127257,3,17,255,0.463,AP9/UgAh/v\n").damaged, 1U)
+      << "cut inside a byte";
 }
 
 /// The fourth line of canboat's pgn-test-actisense.in: 29 bytes of PGN 130842 from node 9,

@@ -24,11 +24,64 @@ TEST(LoggerTime, IsReadAsKnownLoggersWriteIt) {
   }
 }
 
+/// The loggers of research vessels, terminals and spreadsheets; date -u -d 2019-03-26T10:05:55.299Z
+/// +%s%3N, and date +%j for the day of the year.
+TEST(LoggerTime, IsReadWithTheDateOfEachKnownLogger) {
+  constexpr milliseconds as_date_says{1553594755'299};
+  for (const char* text : {"19+085:10:05:55.299 ",
+                           "2019:085:10:05:55.299,",
+                           "2019-085T10:05:55.299Z ",
+                           "20190326T100555.299Z ",
+                           "20190326-100555.299 ",
+                           "20190326100555.299,",
+                           "20190326 10:05:55.299 ",
+                           "26.03.2019 10:05:55.299 ",
+                           "26.3.2019 10:05:55,299 ",
+                           "03/26/2019,10:05:55.299,",
+                           "3/26/2019 10:05:55.299 AM ",
+                           "26/03/2019 10:05:55.299 ",
+                           "[Tue Mar 26 10:05:55.299 2019] ",
+                           "26 Mar 2019 10:05:55.299 ",
+                           "26-MAR-2019 10:05:55.299,",
+                           "Mar 26, 2019 10:05:55.299 ",
+                           "2019 Mar 26 10:05:55.299 ",
+                           "2019:03:26:10:05:55.299 ",
+                           "2019.03.26_10:05:55.299 ",
+                           "2019-03-26 12:05:55.299 +0200 ",
+                           "20190326T080555.299-0200 ",
+                           "gyr1 2019-03-26T10:05:55.299000Z "}) {
+    const auto found = logger_time(text);
+    ASSERT_TRUE(found) << text;
+    EXPECT_FALSE(found->of_day) << text;
+    EXPECT_EQ(found->time, as_date_says) << text;
+  }
+}
+
+TEST(LoggerTime, OfADateThatMayBeReadInTwoWaysIsATimeOfDayUntilItsOrderIsKnown) {
+  constexpr milliseconds december{1418169600'000}, october{1412985600'000};  // 10th, 11th: 00:00 h
+  EXPECT_TRUE(logger_time("10/12/2014,00:00:00.0,")->of_day);
+  EXPECT_EQ(logger_time("10/12/2014,00:00:00.0,", DateOrder::day_first)->time, december);
+  EXPECT_EQ(logger_time("10/11/2014,00:00:00.0,", DateOrder::month_first)->time, october);
+  EXPECT_EQ(logger_time("10/13/2014,00:00:00.0,")->order, DateOrder::month_first);
+  EXPECT_EQ(logger_time("13/10/2014,00:00:00.0,")->order, DateOrder::day_first);
+  EXPECT_EQ(logger_time("10.12.2014 00:00:00.0 ")->time, december);
+}
+
+TEST(LoggerTime, OfTwelveHoursIsOfTwentyFour) {
+  const auto of = [](const char* text) { return logger_time(text)->time; };
+  EXPECT_EQ(of("1:02:03.5 PM "), milliseconds{46923'500});
+  EXPECT_EQ(of("12:02:03 AM "), milliseconds{123'000});
+  EXPECT_EQ(of("12:02:03 pm "), milliseconds{43323'000});
+}
+
 TEST(LoggerTime, WithoutADateIsATimeOfDay) {
   const auto found = logger_time("COM12 (9600 baud) 23:59:30.250 RX: ");
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->of_day);
   EXPECT_EQ(found->time, milliseconds{86370'250});
+  // Of syslog the year is missing.
+  EXPECT_TRUE(logger_time("Mar 26 10:05:00 host nmea: ")->of_day);
+  EXPECT_TRUE(logger_time("10.20.30.100 10:05:00 ")->of_day) << "an address is no date";
 }
 
 TEST(LoggerTime, OfWholeSecondsSaysSo) {
@@ -38,8 +91,9 @@ TEST(LoggerTime, OfWholeSecondsSaysSo) {
 }
 
 TEST(LoggerTime, IsNoOtherNumber) {
-  for (const char* text : {"", "COM3 ", "192.168.1.100:10110 ", "12345 ", "25:00:00 ",
-                           "2023-13-31T23:59 ", "00000000001 ", "0123456789 "})
+  for (const char* text :
+       {"", "COM3 ", "192.168.1.100:10110 ", "12345 ", "25:00:00 ", "2023-13-31T23:59 ",
+        "00000000001 ", "0123456789 ", "00:11:22:33:44:55 "})
     EXPECT_FALSE(logger_time(text)) << text;
 }
 

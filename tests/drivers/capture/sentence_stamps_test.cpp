@@ -53,6 +53,18 @@ TEST(SentenceStamps, AreNoTagBlocksAndNoNoiseInFrontOfFew) {
     EXPECT_EQ(without(text), text);
 }
 
+/// As openrvdas stores UHDAS: a sentence without a checksum shows itself by its name behind a time.
+TEST(SentenceStamps, OfSentencesWithoutAChecksumAreLeftOutToo) {
+  const auto lines_behind = [](const std::string& stamp) {
+    std::string text;
+    for (const char* value : {"4.87", "4.77", "4.73", "4.83"})
+      text += stamp + "$PUHAW,UVH,-" + value + ",-6.04,219.2\n";
+    return text;
+  };
+  EXPECT_EQ(without(lines_behind("2014-08-01T00:00:00.186000Z ")), lines_behind(""));
+  EXPECT_EQ(without(lines_behind("offset ")), lines_behind("offset ")) << "no time";
+}
+
 TEST(SentenceStamps, StayWhereALineHasNoSentence) {
   std::string text;
   for (int i = 0; i < 4; ++i) text += four_lines("12:00:00 ", "");

@@ -56,6 +56,20 @@ TEST(ClockReader, OneWrongDateMovesNothingBehindIt) {
   EXPECT_EQ(seconds_of(times).back(), 1029);
 }
 
+/// A Magellan 315 tells 120827.523 in its GLL, and 120827.52 in the sentences behind it.
+TEST(ClockReader, ATimeThatIsCutShorterIsNoJump) {
+  std::vector<std::chrono::nanoseconds> told;
+  for (int i = 0; i < 50; ++i) {
+    told.push_back(2s * i + 23ms);
+    told.push_back(2s * i + 20ms);
+  }
+  const auto times = in_order(told);
+  EXPECT_EQ(times.jumps, 0u);
+  ASSERT_EQ(times.messages.size(), told.size());
+  for (std::size_t i = 0; i < told.size(); ++i)
+    EXPECT_EQ(times.messages[i].at, 2s * (i / 2) + 23ms);
+}
+
 TEST(ClockReader, AClockThatStandsOrFallsAsOftenAsItRisesIsNone) {
   EXPECT_TRUE(in_order({5s, 5s, 5s, 5s}).messages.empty());
   EXPECT_TRUE(in_order({5s, 9s, 2s, 7s, 1s, 8s}).messages.empty());

@@ -154,13 +154,15 @@ TEST(GnssDriver, NextTimeOfDayClosesTheEpoch) {
   EXPECT_EQ(r.fixes().size(), 1U);
 }
 
-TEST(GnssDriver, StragglerOfAClosedEpochIsNoSecondFix) {
-  Receiver r("nmea0183");
+TEST(GnssDriver, StragglerOfAClosedEpochIsNoSecondFixAndIsTold) {
+  Receiver r("nmea0183", 38400);
   r.says(nmea(gga), 1);
   r.driver->tick(at_s(1.2), r.ear);
   r.says(nmea(rmc), 1.3);
   r.driver->tick(at_s(1.5), r.ear);
   EXPECT_EQ(r.fixes().size(), 1U);
+  EXPECT_EQ(r.ear.refusals, std::vector<std::string>{
+                                "RMC came after the epoch to which it belongs, and was left out"});
 }
 
 TEST(GnssDriver, NmeaWithoutFixHasNoPosition) {

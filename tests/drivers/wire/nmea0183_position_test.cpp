@@ -54,6 +54,28 @@ TEST(Nmea0183, AGnsInWhichNoConstellationHasAFixIsNoPosition) {
   EXPECT_TRUE(only<Gns>(sentence("GNGNS,103600,5114.5,N,00012.2,W,NNR,,,,,,")).latitude_rad);
 }
 
+/// Of SignalK's test sentences: a receiver that fills in no mode.
+TEST(Nmea0183, AGnsWithoutAnyModeKeepsItsPosition) {
+  const auto m = only<Gns>("$GPGNS,111648.00,0235.0379,S,04422.1450,W,,,,,,,,S*2A\r\n");
+  EXPECT_NEAR(*m.latitude_rad, -(2 * 60 + 35.0379) * arc_minute, 1e-15);
+  EXPECT_TRUE(m.longitude_rad);
+}
+
+/// A Unicore UM981 sends a minus before the longitude; SignalK tests with the hemisphere Q.
+TEST(Nmea0183, APositionIsBothOrNone) {
+  const auto gll_message = only<Gll>(sentence("GNGLL,5327.03598945,N,-0214.41467156,W,130058,A,A"));
+  EXPECT_FALSE(gll_message.latitude_rad || gll_message.longitude_rad);
+  EXPECT_TRUE(gll_message.valid);
+  const auto rmc =
+      only<Rmc>(sentence("GPRMC,085412,A,5222.3198,N,00454.5784,Q,0.58,251.34,030414,,"));
+  EXPECT_FALSE(rmc.latitude_rad || rmc.longitude_rad);
+  EXPECT_TRUE(rmc.speed_mps && rmc.course_rad);
+  const auto gga = only<Gga>(sentence("GPGGA,172814,,N,12202.26,W,2,6,1.2,18.893,M,-25.669,M,,"));
+  EXPECT_FALSE(gga.latitude_rad || gga.longitude_rad);
+  const auto of_gns = only<Gns>(sentence("GNGNS,103600,5114.5,,00012.2,W,AN,07,1.2,111.5,45.6,,"));
+  EXPECT_FALSE(of_gns.latitude_rad || of_gns.longitude_rad);
+}
+
 TEST(Nmea0183, GllOfAReceiverManual) {
   const auto m = only<Gll>(gll);
   EXPECT_NEAR(*m.latitude_rad, (47 * 60 + 17.11364) * arc_minute, 1e-15);

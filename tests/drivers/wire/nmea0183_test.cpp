@@ -175,10 +175,11 @@ TEST(Nmea0183, AnEmptyFieldLeavesTheOthers) {
 
 TEST(Nmea0183, AMalformedFieldReadsAsEmptyAndLeavesTheOthers) {
   const auto m =
-      read<Gga>(sentence("GNGGA,9h2725,4799.11399,N,00833.91590,E,1,x,1e1,nan,M,48.0,M,,"));
+      read<Gga>(sentence("GNGGA,9h2725,4799.11399,N,00833.91590,E,1,x,1e1,nan,M,48.0,M,2.5,"));
   EXPECT_FALSE(m.time_of_day || m.latitude_rad || m.satellites_used || m.horizontal_dop);
   EXPECT_FALSE(m.mean_sea_level_height_m);
-  EXPECT_TRUE(m.longitude_rad);
+  EXPECT_EQ(m.quality, 1);
+  EXPECT_EQ(m.differential_age_s, 2.5);
   EXPECT_EQ(m.geoid_separation_m, 48.0);
 }
 
@@ -192,7 +193,7 @@ TEST(Nmea0183, TimesMayHaveAnyDecimalsAndALeapSecond) {
 
 TEST(Nmea0183, NumbersOfManyDigitsAreReadExactly) {
   const auto m = read<Gga>(sentence(
-      "GPGGA,1,4717.1139912345678,N,,,1,,,0.123456789012345678,M,-000000000000000001,M,,"));
+      "GPGGA,1,4717.1139912345678,N,00000,E,1,,,0.123456789012345678,M,-000000000000000001,M,,"));
   EXPECT_EQ(m.mean_sea_level_height_m, 0.123456789012345678);
   EXPECT_EQ(m.geoid_separation_m, -1.0);
   EXPECT_NEAR(*m.latitude_rad, (47 * 60 + 17.1139912345678) * arc_minute, 1e-15);

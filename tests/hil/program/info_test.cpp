@@ -151,6 +151,18 @@ TEST(Info, OfPacketsOfSerialLinesNamesTheProtocolOfEach) {
               HasSubstr("other: nmea0183 (likely): 3 good frames, 0 bad; 100 % of 102 bytes"));
 }
 
+/// `$GPHDT,75.5664,T*36` is the example of a manual.
+TEST(Info, OfSentencesWithALoggersTimesDoesNotSayThatTheyHaveNone) {
+  const Folder folder;
+  std::ofstream log(folder / "t.log");
+  for (const char* second : {"00", "01", "02", "03"})
+    log << "10/13/2014,00:00:" << second << ".123,$GPHDT,75.5664,T*36\r\n";
+  log.close();
+  const auto said = drydock("info " + (folder / "t.log").string()).output;
+  EXPECT_THAT(said, HasSubstr("t.log: 180 bytes of a line\n"));
+  EXPECT_THAT(said, HasSubstr("are their times"));
+}
+
 TEST(Info, OfBytesNamesTheProtocol) {
   const auto said = drydock("info fixtures/pd0/golden.pd0");
   EXPECT_EQ(said.exit_code, 0);
