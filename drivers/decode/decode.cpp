@@ -122,7 +122,8 @@ wire::Network network_of() {
 template <class Decoder>
 void receive(Decoder& decoder, const capture::Record& record, wire::Network network, Sink& sink) {
   const wire::StreamCounters before = decoder.counters();
-  if (const auto message = decoder.receive(record.frame))
+  if (const auto message =
+          wire::receive_at(decoder, record.frame, record.time.value_or(std::chrono::nanoseconds{})))
     sink.message(*message, record);
   else if (decoder.counters() == before)
     sink.passed_over(wire::frame_name(record.frame, network));

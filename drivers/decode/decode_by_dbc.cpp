@@ -7,6 +7,7 @@
 #include "drivers/wire/dbc/catalogue.hpp"
 #include "drivers/wire/dbc/plan.hpp"
 #include "drivers/wire/dbc/reader.hpp"
+#include "drivers/wire/dbc/whole_value.hpp"
 #include "drivers/wire/j1939/j1939_protocol.hpp"
 
 namespace drydock::decode {
@@ -40,15 +41,17 @@ class Messages {
   void receive(const capture::Record& record) {
     ++frames_;
     const wire::CanFrame& frame = record.frame;
-    if (const auto place = catalogue_.find(frame)) {
-      take(entries_[*place], frame.payload(), record);
+    if (frame.error || frame.remote) {
+      ++(frame.error ? errors_ : requests_);
+    } else if (const auto place = catalogue_.find(frame)) {
+      take(entries_[*place], wire::j1939::parse_identifier(frame.id), frame.payload(), record);
     } else if (!is_packet(frame)) {
       ++unknown_[{frame.extended, frame.id}];
     } else if (const auto whole = packets(record)) {
       const auto id = wire::j1939::make_identifier(whole->id);
       const auto message = catalogue_.find(id, true);
       if (!message) ++unknown_[{true, id}];
-      if (message) take(entries_[*message], whole->data, record);
+      if (message) take(entries_[*message], whole->id, whole->data, record);
     }
   }
 
@@ -78,6 +81,9 @@ class Messages {
     fmt::print(err, "{} frames, {} messages, {} of them cut short, {} frames without a message\n",
                frames_, total(), cut, unknown);
     if (unknown > 0) print_unknown(err);
+    if (errors_ + requests_ > 0)
+      fmt::print(err, "{} error frames, {} remote frames: they carry no signals\n", errors_,
+                 requests_);
     std::uint64_t incomplete = 0;
     for (const auto& [name, bus] : transports_)
       incomplete += bus.counters().dropped + bus.counters().headless + bus.unfinished();
@@ -96,10 +102,13 @@ class Messages {
   std::optional<wire::j1939::TransportMessage> packets(const capture::Record& record) {
     const auto id = wire::j1939::identify(record.frame);
     auto& bus = transports_[std::string(record.interface)];
-    return bus.receive(*id, record.frame.payload(), {}).message;
+    return bus
+        .receive(*id, record.frame.payload(), record.time.value_or(std::chrono::nanoseconds{}))
+        .message;
   }
 
-  void take(Entry& e, wire::Bytes payload, const capture::Record& record) {
+  void take(Entry& e, const wire::j1939::Identifier& id, wire::Bytes payload,
+            const capture::Record& record) {
     ++e.count;
     e.cut_short += payload.size() < e.message->size;
     if (count_) return;
@@ -107,6 +116,10 @@ class Messages {
     lines_.line([&](text::JsonWriter& json) {
       json.field("type", e.message->long_name);
       put_record(json, record);
+      if (e.message->extended && e.message->format == dbc::FrameFormat::j1939) {
+        json.field("source", id.source);
+        json.field("destination", id.destination);
+      }
       for (std::size_t i = 0; i < e.values.size(); ++i)
         put(json, e.message->signals[i], e.values[i]);
     });
@@ -114,13 +127,22 @@ class Messages {
 
   /// A signal whose values have names has a second key for them.
   static void put(text::JsonWriter& json, const dbc::Signal& signal, const dbc::Value& value) {
-    using Number = std::optional<double>;
-    json.field(signal.long_name, value.present ? Number(value.physical) : Number());
+    put_number(json, signal, value);
     if (signal.labels.empty()) return;
     const auto* label =
         value.present ? signal.label_of(static_cast<std::int64_t>(value.raw)) : nullptr;
     json.field(signal.long_name + "_label",
                label ? std::optional<std::string_view>(*label) : std::nullopt);
+  }
+
+  static void put_number(text::JsonWriter& json, const dbc::Signal& signal,
+                         const dbc::Value& value) {
+    using Number = std::optional<double>;
+    const auto whole = value.present ? dbc::whole_value(value, signal.layout) : std::nullopt;
+    if (whole)
+      std::visit([&](auto number) { json.field(signal.long_name, number); }, *whole);
+    else
+      json.field(signal.long_name, value.present ? Number(value.physical) : Number());
   }
 
   void print_unknown(std::FILE* err) const {
@@ -141,7 +163,7 @@ class Messages {
   std::vector<Entry> entries_;
   std::map<std::string, wire::j1939::TransportReceiver> transports_;  ///< by interface
   std::map<Identifier, std::uint64_t> unknown_;
-  std::uint64_t frames_ = 0;
+  std::uint64_t frames_ = 0, errors_ = 0, requests_ = 0;
 };
 
 void print(std::FILE* err, const std::string& file, const std::vector<dbc::Remark>& remarks,

@@ -24,7 +24,8 @@ class PgnMessages {
     auto bus = buses_.find(record.interface);
     if (bus == buses_.end())
       bus = buses_.emplace(std::string(record.interface), pgn_table::Receiver(catalogue_)).first;
-    if (const auto whole = bus->second.receive(record.frame))
+    if (const auto whole =
+            bus->second.receive(record.frame, record.time.value_or(std::chrono::nanoseconds{})))
       take(*whole, record);
     else if (bus->second.passed_over())
       ++passed_over_[wire::frame_name(record.frame, wire::Network::j1939)];

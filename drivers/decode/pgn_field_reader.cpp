@@ -110,6 +110,15 @@ unsigned markers_of(const Field& field, std::optional<double> highest_value) {
   return field.bits >= 8 ? 3 : field.bits >= 4 ? 2 : field.bits >= 2 ? 1 : 0;
 }
 
+/// A file gives every number the range of its bits without the lowest one, where nothing else is
+/// known: that one is then a value all the same, as canboat has it.
+std::optional<double> lowest_raw_of(const Field& field, double lowest_value) {
+  if (field.kind != FieldKind::number || !field.is_signed || field.offset) return {};
+  const double raw = std::round(lowest_value / field.step);
+  const double of_the_bits = -std::ldexp(1.0, static_cast<int>(field.bits) - 1);
+  return raw > of_the_bits + 1 ? std::optional(raw) : std::nullopt;
+}
+
 void read_number(const JsonPlace& place, Field& field) {
   if (const auto step = place.find("Resolution")) read_step(*step, field);
   if (const auto sign = place.find("Signed")) field.is_signed = sign->is_true();
@@ -117,6 +126,8 @@ void read_number(const JsonPlace& place, Field& field) {
   std::optional<double> highest_value;
   if (const auto range = place.find("RangeMax")) highest_value = range->number();
   field.markers = markers_of(field, highest_value);
+  if (const auto range = place.find("RangeMin"))
+    field.lowest_raw = lowest_raw_of(field, range->number());
 }
 
 void check_bits(const JsonPlace& place, const Field& field) {

@@ -104,6 +104,8 @@ namespace {
 link::Uri uri_of(const ReplayOptions& options) {
   std::string text = "file:" + options.capture + "?speed=" + options.speed;
   if (options.baud > 0) text += fmt::format("&baud={}", options.baud);
+  if (options.bitrate > 0) text += fmt::format("&bitrate={}", options.bitrate);
+  if (options.data_bitrate > 0) text += fmt::format("&data_bitrate={}", options.data_bitrate);
   if (!options.format.empty()) text += "&format=" + options.format;
   if (!options.clock.empty()) text += "&clock=" + options.clock;
   if (!options.interface.empty()) text += "&interface=" + options.interface;
@@ -118,6 +120,8 @@ std::unique_ptr<Device> make_device(const ReplayOptions& options, const link::Ur
   wanted.driver.description = options.description;
   wanted.driver.baud = uri.baud();
   wanted.driver.byte_frame = uri.byte_frame();
+  if (options.bitrate > 0) wanted.driver.bitrate = options.bitrate;
+  if (options.data_bitrate > 0) wanted.driver.data_bitrate = options.data_bitrate;
   wanted.driver.address = options.address;
   wanted.name = to_string(wanted.driver.kind);
   wanted.link = uri.text;
@@ -137,6 +141,9 @@ void print_totals(std::FILE* err, const device::Health& health, const capture::T
              health.stream.bytes_skipped);
   const std::string damage = tally != nullptr ? capture::damage_text(*tally) : std::string();
   if (!damage.empty()) fmt::print(err, "{}\n", damage);
+  if (health.messages > 0 && health.refused > 0)
+    fmt::print(err, "left out by the driver: {} value{}; it says: {}\n", health.refused,
+               health.refused == 1 ? "" : "s", health.last_error.view());
   if (health.messages == 0 && health.stream.frames > 0)
     fmt::print(err, "no measurement: {}\n",
                health.last_error.view().empty()

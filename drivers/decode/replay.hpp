@@ -22,6 +22,8 @@ struct ReplayOptions {
   std::string clock;          ///< device, line; empty: as the capture has it
   std::string interface;      ///< interface in a CAN capture; empty: all
   unsigned baud = 0;          ///< rate of a byte capture's line; 0: not known
+  unsigned bitrate = 0;       ///< of a CAN capture's bus; 0: as `driver` has it, else 250000
+  unsigned data_bitrate = 0;  ///< of its CAN FD frames' data phase; 0: likewise, else as `bitrate`
   std::uint8_t address = 0;   ///< on a CAN bus; 0: the first seen
   std::shared_ptr<const wire::described::Description> description{};  ///< null: of the registry
   /// As a rig describes the sensor. Empty: its protocol and kind alone are known.

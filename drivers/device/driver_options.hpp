@@ -89,11 +89,12 @@ struct DriverOptions {
   std::chrono::nanoseconds poll_period = std::chrono::seconds{1};   ///< of a sensor that is asked
   std::uint16_t device = 0;  ///< index in the rig, part of every Origin
   Mounting mounting;
-  std::chrono::nanoseconds latency{0};  ///< from the time of validity to the first bit on the wire
-  std::optional<unsigned> baud;         ///< byte links; empty if there is no line rate
-  wire::ByteFrame byte_frame;           ///< of a line with a rate
-  unsigned bitrate = 250'000;           ///< rate of a CAN bus, bit/s
-  std::uint8_t address = 0;             ///< J1939 source address, CANopen node; 0: the first seen
+  std::chrono::nanoseconds latency{0};   ///< from the time of validity to the first bit on the wire
+  std::optional<unsigned> baud;          ///< byte links; empty if there is no line rate
+  wire::ByteFrame byte_frame;            ///< of a line with a rate
+  unsigned bitrate = 250'000;            ///< rate of a CAN bus, bit/s
+  std::optional<unsigned> data_bitrate;  ///< of the data phase of CAN FD; empty: as `bitrate`
+  std::uint8_t address = 0;              ///< J1939 source address, CANopen node; 0: the first seen
   /// NMEA 2000: which of several engines or pressures of one sender; empty: the first heard.
   std::optional<std::uint8_t> instance;
   AceinnaSettings aceinna;

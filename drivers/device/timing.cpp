@@ -19,6 +19,7 @@ std::int64_t bits_of(const wire::CanFrame& frame) {
 Timing::Timing(const DriverOptions& options)
     : rate_(options.baud.value_or(0), options.byte_frame),
       bitrate_(options.bitrate),
+      data_bitrate_(options.data_bitrate),
       latency_(options.latency),
       device_(options.device) {}
 
@@ -39,7 +40,10 @@ Origin Timing::of_frame(Stamp stamp, const wire::CanFrame& frame,
 }
 
 std::chrono::nanoseconds Timing::line_time(const wire::CanFrame& frame) const {
-  return std::chrono::nanoseconds{bits_of(frame) * ns_per_second / bitrate_};
+  const std::int64_t fast_bits = data_bitrate_ ? wire::data_phase_bits(frame) : 0;
+  const std::int64_t slow_ns = (bits_of(frame) - fast_bits) * ns_per_second / bitrate_;
+  return std::chrono::nanoseconds{slow_ns +
+                                  (data_bitrate_ ? fast_bits * ns_per_second / *data_bitrate_ : 0)};
 }
 
 Origin Timing::origin(Stamp valid_at, Stamp received_at) const {

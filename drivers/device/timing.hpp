@@ -43,6 +43,7 @@ class Timing {
 
   wire::LineRate rate_;
   unsigned bitrate_;
+  std::optional<unsigned> data_bitrate_;
   std::chrono::nanoseconds latency_;
   std::uint16_t device_;
   measurement::Provenance provenance_ = measurement::Provenance::real;

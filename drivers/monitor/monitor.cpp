@@ -92,7 +92,8 @@ class FrameScreen final : public Screen {
   explicit FrameScreen(Decoder decoder) : decoder_(std::move(decoder)) {}
   using Screen::receive;
   void receive(const wire::CanFrame& frame, Stamp at) override {
-    if (const auto message = decoder_.receive(frame)) print(*message, at);
+    if (const auto message = wire::receive_at(decoder_, frame, at.time_since_epoch()))
+      print(*message, at);
   }
   const wire::StreamCounters& counters() const override { return decoder_.counters(); }
 

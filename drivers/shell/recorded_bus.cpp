@@ -7,8 +7,9 @@
 namespace drydock::shell {
 
 namespace {
-/// 8 bytes with a 29-bit identifier and a typical number of stuff bits, at 250 kbit/s.
-constexpr std::chrono::microseconds frame_on_a_full_bus{560};
+/// 8 bytes with a 29-bit identifier and a typical number of stuff bits.
+constexpr std::chrono::nanoseconds bits_of_a_frame{140};
+constexpr std::int64_t per_second = 1'000'000'000;
 }  // namespace
 
 RecordedBus::RecordedBus(const link::Uri& uri, std::vector<DeviceActor*> drivers, Stamp start,
@@ -16,6 +17,7 @@ RecordedBus::RecordedBus(const link::Uri& uri, std::vector<DeviceActor*> drivers
     : file_(link::capture_of(uri)),
       drivers_(std::move(drivers)),
       clock_(std::move(clock)),
+      frame_on_a_full_bus_(bits_of_a_frame * per_second / *uri.bitrate()),
       start_(start),
       due_(start) {
   read_next();
@@ -64,7 +66,7 @@ Stamp RecordedBus::due_of(const capture::Record& record) {
       return start_ + (Stamp{messages[message_].at} - clock_.first);
     case Pace::line: break;
   }
-  return due_ + frame_on_a_full_bus;
+  return due_ + frame_on_a_full_bus_;
 }
 
 }  // namespace drydock::shell

@@ -62,6 +62,7 @@ device::DriverOptions driver_options(const DeviceConfig& config, std::size_t ind
   options.baud = uri.baud();
   options.byte_frame = uri.byte_frame();
   options.bitrate = uri.bitrate().value_or(options.bitrate);
+  options.data_bitrate = uri.data_bitrate();
   options.address = static_cast<std::uint8_t>(config.address);
   if (config.instance) options.instance = static_cast<std::uint8_t>(*config.instance);
   options.canopen.heartbeat_timeout = measurement::from_seconds(config.heartbeat_timeout_s);

@@ -80,6 +80,9 @@ struct Content {
 
 bool is_real(const Guessed& one) { return one.type == "f32" || one.type == "f64"; }
 
+/// As VFrameFormat numbers them; 0, its default: 11 bits without CAN FD.
+int frame_format(bool extended, bool fd) { return (fd ? 14 : 0) + (extended ? 1 : 0); }
+
 std::string number_name(const Guessed& one) { return fmt::format("number_{}", one.at); }
 
 }  // namespace
@@ -128,9 +131,8 @@ std::string BusGuess::notes_text(std::uint32_t dbc_id, const Id& id) {
                   hex_of(masks), hex_of(content.frames[0]));
   if (period && *period >= 0.5 && *period < 60'000)
     text += fmt::format("BA_ \"GenMsgCycleTime\" BO_ {} {:.0f};\n", dbc_id, *period);
-  if (id.fd)
-    text += fmt::format("BA_ \"VFrameFormat\" BO_ {} {};\n", dbc_id,
-                        (dbc_id & bit_of_29_bits) != 0 ? 15 : 14);
+  if (const int format = frame_format((dbc_id & bit_of_29_bits) != 0, id.fd); format != 0)
+    text += fmt::format("BA_ \"VFrameFormat\" BO_ {} {};\n", dbc_id, format);
   for (const Guessed& one : guess_numbers(content.frames, 0, content.shortest))
     if (one.looks == Guessed::Looks::number && is_real(one))
       text += fmt::format("SIG_VALTYPE_ {} {} : {};\n", dbc_id, number_name(one), one.size / 4);

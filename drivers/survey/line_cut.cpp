@@ -39,6 +39,13 @@ bool is_behind_hex_prefix(std::string_view line, std::size_t at) {
   return at >= 2 && is_hex_prefix(line, at - 2);
 }
 
+/// True for the hour of `2014-08-01T00:05:12`, which may be the same in a whole capture.
+bool is_hour(std::string_view line, std::size_t at) {
+  const std::string_view hour = line.substr(at, 3);
+  return at >= 2 && line[at - 1] == 'T' && is_digit(line[at - 2]) && hour.size() == 3 &&
+         is_digit(hour[0]) && is_digit(hour[1]) && hour[2] == ':';
+}
+
 /// Characters of the number that begins here; 0: none does.
 std::size_t number_at(std::string_view line, std::size_t at, std::size_t number_end) {
   if (is_hex_prefix(line, at)) return 0;
@@ -54,9 +61,11 @@ std::size_t number_at(std::string_view line, std::size_t at, std::size_t number_
   while (i < line.size() && is_digit(line[i])) ++i;
   if (i == digits) return 0;
   const bool has_point = i + 1 < line.size() && line[i] == '.' && is_digit(line[i + 1]);
-  // "T1" is a name, "D0012.3" and "D0012" are a letter and a number.
+  // "T1" is a name, "D0012.3" and "D0012" are a letter and a number, and so has "2014-08-01T00:".
   constexpr std::size_t longest_name = 2;
-  if (is_letter(before) && !has_sign && !has_point && i - digits <= longest_name) return 0;
+  if (is_letter(before) && !is_hour(line, at) && !has_sign && !has_point &&
+      i - digits <= longest_name)
+    return 0;
   if (has_point) ++i;
   while (has_point && i < line.size() && is_digit(line[i])) ++i;
   return i + exponent_at(line.substr(i)) - at;

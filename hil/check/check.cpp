@@ -8,6 +8,7 @@
 #include "drivers/terminal/exit_codes.hpp"
 #include "estimators/hydrodynamics/model.hpp"
 #include "estimators/vehicle/vehicle.hpp"
+#include "hil/check/check_dbc.hpp"
 #include "hil/check/check_rig.hpp"
 
 namespace drydock::check {
@@ -55,6 +56,10 @@ rig_config::Loaded<rig_config::Rig> load_sound_rig(const std::string& path, Use 
 int check(const std::vector<std::string>& files, std::FILE* out) {
   bool sound = true;
   for (const std::string& file : files) {
+    if (is_dbc(file)) {
+      sound = check_dbc(file, out) && sound;
+      continue;
+    }
     const Problems problems = problems_of(file);
     for (const auto& problem : problems) fmt::print(out, "{}\n", to_string(problem));
     if (problems.empty()) fmt::print(out, "{}: ok\n", file);

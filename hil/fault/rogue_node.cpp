@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "drivers/measurement/earlier.hpp"
+#include "hil/emulate/can/j1939_node.hpp"
 #include "rig_config/fault_vocabulary.hpp"
 
 namespace drydock::fault {
@@ -46,10 +47,13 @@ constexpr std::uint32_t highest_priority = 0x000, lowest_priority = 0x7FF;
 RogueNode::RogueNode(const rig_config::DeviceConfig& config, unsigned bit_rate, std::uint64_t seed,
                      Stamp start, std::shared_ptr<const Schedule> schedule)
     : bit_rate_(bit_rate),
-      address_(static_cast<std::uint8_t>(config.address)),
+      protocol_(config.protocol),
+      identity_(emulate::identity_of(config)),
       random_(seed, config.name, "rogue"),
       schedule_(std::move(schedule), start),
-      beats_{Beat{FaultKind::babbling}, Beat{FaultKind::bus_load}, Beat{FaultKind::error_frames}} {}
+      beats_{Beat{FaultKind::babbling}, Beat{FaultKind::bus_load}, Beat{FaultKind::error_frames}} {
+  if (config.address != 0) address_ = static_cast<std::uint8_t>(config.address);
+}
 
 std::optional<Stamp> RogueNode::deadline() const {
   auto next = schedule_.deadline();
@@ -74,7 +78,7 @@ void RogueNode::follow_schedule(Stamp now, emulate::Wire& out) {
   if (!faults) return;
   for (Beat& beat : beats_) set_beat(beat, find(*faults, beat.kind), now);
   go_bus_off(find(*faults, FaultKind::bus_off) != nullptr, out);
-  claim_address(find(*faults, FaultKind::address_stolen) != nullptr, now, out);
+  steal_address(find(*faults, FaultKind::address_stolen) != nullptr, now, out);
 }
 
 void RogueNode::set_beat(Beat& beat, const InForce* fault, Stamp now) {
@@ -110,15 +114,29 @@ void RogueNode::go_bus_off(bool off, emulate::Wire& out) {
   }
 }
 
-void RogueNode::claim_address(bool wanted, Stamp now, emulate::Wire& out) {
-  if (wanted == claim_.has_value()) return;
+void RogueNode::steal_address(bool wanted, Stamp now, emulate::Wire& out) {
+  if (wanted == steals_) return;
+  steals_ = wanted;
   claim_.reset();
-  if (!wanted) return;
-  claim_.emplace(strongest_name, address_, wire::j1939::AddressRange{address_, address_});
+  if (wanted && address_) claim_address(now, out);
+}
+
+void RogueNode::claim_address(Stamp now, emulate::Wire& out) {
+  claim_.emplace(strongest_name, *address_, wire::j1939::AddressRange{*address_, *address_});
   if (const auto frame = claim_->start(now.time_since_epoch())) out.send(*frame);
 }
 
+/// The address that the device's NAME claimed last.
+void RogueNode::note_address(const wire::CanFrame& frame) {
+  const auto id = wire::j1939::identify(frame);
+  const auto claim = id ? wire::j1939::decode_address_claimed(*id, frame.payload()) : std::nullopt;
+  if (!claim || claim->source == wire::j1939::null_address) return;
+  if (emulate::identity_in(claim->name, protocol_) == identity_) address_ = claim->source;
+}
+
 void RogueNode::receive(const wire::CanFrame& frame, Stamp now, emulate::Wire& out) {
+  note_address(frame);
+  if (steals_ && !claim_ && address_) return claim_address(now, out);
   if (!claim_) return;
   if (const auto answer = claim_->receive(frame, now.time_since_epoch())) out.send(*answer);
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "drivers/wire/j1939/j1939_address_claim.hpp"
 #include "hil/emulate/emulated_device.hpp"
@@ -39,10 +41,15 @@ class RogueNode final : public emulate::EmulatedDevice {
   void go_bus_off(bool off, emulate::Wire& out);
   std::chrono::nanoseconds period_of(const FaultConfig& fault) const;
   void strike(const Beat& beat, emulate::Wire& out);
-  void claim_address(bool wanted, Stamp now, emulate::Wire& out);
+  void steal_address(bool wanted, Stamp now, emulate::Wire& out);
+  void claim_address(Stamp now, emulate::Wire& out);
+  void note_address(const wire::CanFrame& frame);
 
   unsigned bit_rate_;
-  std::uint8_t address_;                            ///< the device's address
+  std::string protocol_;
+  std::uint32_t identity_;               ///< in the device's NAME
+  std::optional<std::uint8_t> address_;  ///< the device's; empty: not stated, and it claimed none
+  bool steals_ = false;
   std::optional<wire::j1939::AddressClaim> claim_;  ///< set while this node holds the device's
                                                     ///< address
   sensor::RandomStream random_;

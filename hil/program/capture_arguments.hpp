@@ -32,6 +32,13 @@ inline void add_capture(CLI::App& sub, decode::ReplayOptions& capture) {
       ->group(group);
   sub.add_option("--baud", capture.baud, "of the recorded line, where the file holds bytes")
       ->group(group);
+  sub.add_option("--bitrate", capture.bitrate, "of the recorded CAN bus; default 250000")
+      ->check(CLI::Range(10'000U, 1'000'000U))
+      ->group(group);
+  sub.add_option("--data-bitrate", capture.data_bitrate,
+                 "of the data phase of its CAN FD frames; default as --bitrate")
+      ->check(CLI::Range(10'000U, 8'000'000U))
+      ->group(group);
   sub.add_option(
          "--format", capture.format,
          "the file's format, where its content does not tell: one of " + decode::decode_formats())

@@ -57,9 +57,16 @@ class FrameMessages {
     const unsigned most = message->format == dbc::FrameFormat::fd ? 64 : 8;
     if (message->size > most)
       add(word, path,
-          fmt::format("message {} has {} bytes, allowed: up to {}, which one frame holds",
-                      message->long_name, message->size, most));
+          fmt::format("message {} has {} bytes, allowed: up to {}, which one frame holds{}",
+                      message->long_name, message->size, most, advice_of(*message)));
     used.messages.push_back(*message);
+  }
+
+  /// Many files have messages of CAN FD and do not say so.
+  static std::string_view advice_of(const dbc::Message& message) {
+    if (message.format != dbc::FrameFormat::classic || message.size > 64) return {};
+    return "; of a frame of CAN FD the DBC file says so: attribute VFrameFormat, 14 "
+           "(StandardCAN_FD) or 15 (ExtendedCAN_FD)";
   }
 
   void refuse_message(const Node& word, const std::string& path, const dbc::Database& database) {

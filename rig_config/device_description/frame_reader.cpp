@@ -43,8 +43,8 @@ class FrameReader {
     read(table_, "sample", layout_.sample);
     read_selections(fields);
     read_optional(fields);
-    if (const Node* counter = table_.find("counter")) read_counter(*counter);
     if (const Node* checksum = table_.find("checksum")) read_checksum(*checksum);
+    if (const Node* counter = table_.find("counter")) read_counter(*counter);
     for (const Field& field : fields) layout_.joins |= field.target || field.validity;
   }
 
@@ -89,11 +89,16 @@ class FrameReader {
     const dbc::Layout& bits = layout_.message.signals[*signal].layout;
     if (bits.number != dbc::Number::unsigned_integer || bits.bits > 16)
       return add(word, "/counter/signal", "a counter is an unsigned integer of at most 16 bits");
-    unsigned modulus = 1u << bits.bits;
+    const bool of_profile_1 = layout_.checksum && is_profile_1(layout_.checksum->checksum) &&
+                              bits.bits == 4 && bits.start / 8 == 1;
+    unsigned modulus = of_profile_1 ? dbc::modulus_of_profile_1 : 1u << bits.bits;
     if (const Node* wraps = counter.find("modulus")) {
       if (wraps->integer > modulus)
         add(*wraps, "/counter/modulus",
-            fmt::format("the signal has {} bits, allowed: up to {}", bits.bits, modulus));
+            of_profile_1
+                ? fmt::format("{} counts from 0 to 14, allowed: up to {}",
+                              to_string(layout_.checksum->checksum), modulus)
+                : fmt::format("the signal has {} bits, allowed: up to {}", bits.bits, modulus));
       modulus = static_cast<unsigned>(wraps->integer);
     }
     layout_.counter = {*signal, modulus};

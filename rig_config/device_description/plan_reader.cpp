@@ -95,10 +95,17 @@ class PlanReader {
     check_begin(table, path, message);
     const bool emulated = !table.find("emulated") || table.find("emulated")->boolean;
     const bool can_be_written = !table.find("pattern") || table.find("emulate");
-    message.emulated = emulated && message.publishes && can_be_written;
+    message.emulated = emulated && can_be_written && (message.publishes || has_constant(table));
     read_same_as(table, path, message);
     if (plan().form != Form::frames) read_sample(table, path, message);
     plan().messages.push_back(std::move(message));
+  }
+
+  /// True for a message of frames of which a field says what the emulated device writes.
+  bool has_constant(const Node& table) const {
+    const Node* fields = plan().form == Form::frames ? table.find("fields") : nullptr;
+    return fields &&
+           std::ranges::any_of(fields->items, [](const Node& one) { return one.find("emulate"); });
   }
 
   void read_same_as(const Node& table, const std::string& path, Message& message) {

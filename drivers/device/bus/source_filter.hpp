@@ -4,16 +4,17 @@
 #include <cstdint>
 #include <optional>
 
+#include "drivers/device/bus/name_table.hpp"
 #include "drivers/measurement/stamp.hpp"
 
 namespace drydock::device {
 
 /// Decides which sender on a bus is our sensor: the configured address or, without one, the first
 /// that is heard. It stays our sensor until it is silent for 10 s, so two sensors are never mixed.
-/// If the NAME of the sensor is known, the filter follows it to every address that it claims. It
-/// does not accept a node that took the sensor's address (SAE J1939-81). If such a sensor is silent
-/// for 30 s, another unit may replace it. Until that unit has spoken under its own NAME, the filter
-/// still follows the first one.
+/// If the NAME of the sensor is known, the filter follows it to every address that it claims. Nodes
+/// claim before they speak, so it keeps the NAMEs of all. It does not accept a node that took the
+/// sensor's address (SAE J1939-81). If such a sensor is silent for 30 s, another unit may replace
+/// it. Until that unit has spoken under its own NAME, the filter still follows the first one.
 class SourceFilter {
  public:
   static constexpr std::chrono::seconds lost_after{10}, replaced_after{30};
@@ -27,7 +28,7 @@ class SourceFilter {
       const bool lost = !(ours_ || name_) || silent(now);
       if (!lost || (configured_ != 0 && configured_ != source)) return false;
       ours_ = source;
-      name_.reset();
+      name_ = source == taken_ ? std::nullopt : names_.at(source);
     }
     heard_at_ = now;
     name_stands_ = name_.has_value();
@@ -40,10 +41,13 @@ class SourceFilter {
     if (name == spoke_last_ || (!name_stands_ && ours_ == source)) name_ = name;
     if (name_ == name) {
       ours_ = source;
+      taken_.reset();
       heard_at_ = now;
     } else if (ours_ == source) {
+      taken_ = ours_;
       ours_.reset();
     }
+    names_.claimed(source, name);
   }
 
   std::optional<std::uint8_t> source() const { return ours_; }
@@ -56,6 +60,8 @@ class SourceFilter {
   std::uint8_t configured_;
   std::optional<std::uint8_t> ours_;  ///< its present address; empty: not heard, or lost
   std::optional<std::uint64_t> name_;
+  NameTable names_;
+  std::optional<std::uint8_t> taken_;        ///< from our sensor: who speaks there is not known
   bool name_stands_ = false;                 ///< the sensor has spoken since it claimed
   std::optional<std::uint64_t> spoke_last_;  ///< the NAME of the last sensor that had one
   std::optional<measurement::Stamp> heard_at_;

@@ -30,7 +30,7 @@ DescribedFrameDriver::DescribedFrameDriver(const DriverOptions& options)
 
 void DescribedFrameDriver::restart(Stamp, Output&) {
   for (auto& counter : counters_) counter.reset();
-  for (auto& group : groups_) group.reset();
+  for (auto& group : groups_) group.interrupt();
 }
 
 void DescribedFrameDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {

@@ -30,7 +30,7 @@ void Nmea2000GnssDriver::receive(const wire::CanFrame& frame, Stamp received_at,
   tick(received_at, out);  // a pause before this frame has ended the epoch, even without a tick
   const Origin origin = timing_.of_frame(received_at, frame);
   note_begin(frame, origin);
-  const auto message = decoder_.receive(frame);
+  const auto message = decoder_.receive(frame, received_at.time_since_epoch());
   if (!message) return;
   std::visit(
       [&](const auto& m) {

@@ -19,7 +19,7 @@ ActuatorDriver::ActuatorDriver(const DriverOptions& options)
       burst_(pause_between_bursts) {}
 
 void ActuatorDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
-  const auto message = decoder_.receive(frame);
+  const auto message = decoder_.receive(frame, received_at.time_since_epoch());
   if (!message) return;
   if (const auto* rudder = std::get_if<wire::nmea2000::Rudder>(&*message)) {
     const std::size_t kind = 1 + rudder->instance.value_or(surfaces);

@@ -19,7 +19,7 @@ DepthDriver::DepthDriver(const DriverOptions& options)
       temperature_instance_("sea temperature", std::nullopt) {}
 
 void DepthDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
-  const auto message = decoder_.receive(frame);
+  const auto message = decoder_.receive(frame, received_at.time_since_epoch());
   if (!message) return;
   const Origin origin = timing_.of_frame(received_at, frame);
   std::visit(

@@ -24,7 +24,7 @@ Nmea2000AttitudeDriver::Nmea2000AttitudeDriver(const DriverOptions& options)
       burst_(pause_between_attitudes) {}
 
 void Nmea2000AttitudeDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
-  const auto message = decoder_.receive(frame);
+  const auto message = decoder_.receive(frame, received_at.time_since_epoch());
   if (!message) return;
   std::visit(
       [&](const auto& m) {

@@ -15,7 +15,7 @@ Nmea2000LogDriver::Nmea2000LogDriver(const DriverOptions& options)
 
 void Nmea2000LogDriver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
   const Origin origin = in_burst(frame, received_at);
-  const auto message = decoder_.receive(frame);
+  const auto message = decoder_.receive(frame, received_at.time_since_epoch());
   if (!message) return;
   std::visit(
       [&](const auto& m) {

@@ -25,7 +25,7 @@ std::string id_text(const IdKey& key) {
 class BusReader {
  public:
   virtual ~BusReader() = default;
-  virtual void receive(const wire::CanFrame& frame) = 0;
+  virtual void receive(const wire::CanFrame& frame, measurement::Stamp at) = 0;
   virtual void list(const IdKey& key, std::vector<ShownValue>& into) const = 0;
 };
 
@@ -33,8 +33,8 @@ template <class Decoder>
 class DecodedBus final : public BusReader {
  public:
   explicit DecodedBus(Decoder decoder) : decoder_(std::move(decoder)) {}
-  void receive(const wire::CanFrame& frame) override {
-    auto message = decoder_.receive(frame);
+  void receive(const wire::CanFrame& frame, measurement::Stamp at) override {
+    auto message = wire::receive_at(decoder_, frame, at.time_since_epoch());
     if (!message) return;
     const auto known = last_.find(key_of(frame));
     if (known != last_.end())
@@ -76,7 +76,7 @@ class Sniffer final : public BusWatch {
 
   using WireWatch::receive;
   void receive(const wire::CanFrame& frame, measurement::Stamp at) override {
-    for (auto& [protocol, reader] : readers_) reader->receive(frame);
+    for (auto& [protocol, reader] : readers_) reader->receive(frame, at);
     const auto known = identifiers_.find(key_of(frame));
     if (known != identifiers_.end()) return known->second.take(frame.payload(), at);
     if (identifiers_.size() >= most_kinds) return void(++not_listed_);

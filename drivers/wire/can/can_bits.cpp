@@ -98,7 +98,18 @@ unsigned longest_fd_bits(const CanFrame& frame) {
   return stuffed + (stuffed - 1) / 4 + crc + behind_the_crc;
 }
 
+/// From the start of frame to the bit that switches the rate.
+unsigned longest_arbitration_bits(const CanFrame& frame) {
+  const unsigned bits = frame.extended ? 36 : 17;
+  return bits + (bits - 1) / 4;
+}
+
 }  // namespace
+
+unsigned data_phase_bits(const CanFrame& frame) {
+  if (!frame.fd || !frame.bit_rate_switch) return 0;
+  return longest_fd_bits(frame) - longest_arbitration_bits(frame) - behind_the_crc;
+}
 
 unsigned classic_bits(const CanFrame& frame) {
   const HeadBits head = head_bits_of(frame);

@@ -9,6 +9,10 @@ namespace drydock::wire {
 /// at one rate. 0 for error frames.
 unsigned wire_bits(const CanFrame& frame);
 
+/// Those of wire_bits() that a CAN FD frame sends at the rate of its data phase; 0 without a faster
+/// one.
+unsigned data_phase_bits(const CanFrame& frame);
+
 /// The bits of wire_bits() as if the frame were a classic one, whatever it is. An emulated bus
 /// paces every frame so.
 unsigned classic_bits(const CanFrame& frame);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <concepts>
 #include <optional>
 #include <string_view>
@@ -25,6 +26,16 @@ concept FrameProtocol = requires(typename P::Decoder decoder, const typename P::
   { decoder.receive(frame) } -> std::same_as<std::optional<typename P::Message>>;
   { seen.counters() } -> std::same_as<const StreamCounters&>;
 };
+
+/// Gives a decoder a frame and its time. Only decoders of messages of several frames need the time:
+/// a part that comes too late belongs to no earlier one. Without a clock the time is always zero.
+template <class Decoder>
+auto receive_at(Decoder& decoder, const CanFrame& frame, std::chrono::nanoseconds at) {
+  if constexpr (requires { decoder.receive(frame, at); })
+    return decoder.receive(frame, at);
+  else
+    return decoder.receive(frame);
+}
 
 /// Counts one frame, for a protocol in which every message is a single frame.
 template <class Message>

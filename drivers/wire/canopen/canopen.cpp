@@ -54,7 +54,9 @@ std::optional<Nmt> decode_nmt(const CanFrame& frame) {
 std::optional<Heartbeat> decode_heartbeat(const CanFrame& frame) {
   const auto node = node_above(frame, heartbeat_base);
   if (!node || frame.size != 1) return std::nullopt;
-  switch (const auto state = static_cast<NodeState>(frame.data[0])) {
+  constexpr std::uint8_t toggle_bit = 0x80;
+  if (frame.data[0] == toggle_bit) return std::nullopt;  // no guarded node is booting
+  switch (const auto state = static_cast<NodeState>(frame.data[0] & ~toggle_bit)) {
     case NodeState::boot_up:
     case NodeState::stopped:
     case NodeState::operational:

@@ -44,7 +44,8 @@ enum class NodeState : std::uint8_t {
 
 std::string_view to_string(NodeState state);
 
-/// A node's heartbeat. Its first one, with state boot_up, means that the node has started.
+/// A node's heartbeat. Its first one, with state boot_up, means that the node has started. An
+/// answer to node guarding says the same; its toggle bit is left out.
 struct Heartbeat {
   static constexpr std::string_view type = "heartbeat";
   std::uint8_t node = 0;

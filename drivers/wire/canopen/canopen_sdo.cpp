@@ -10,7 +10,8 @@ namespace {
 // Command specifiers, bits 5 to 7 of byte 0. Each direction has its own numbers.
 constexpr unsigned client_download = 1, client_upload = 2;
 constexpr unsigned server_upload = 2, server_download = 3;
-constexpr unsigned abort_transfer = 4;
+constexpr unsigned client_segment = 0, client_next_segment = 3, abort_transfer = 4;
+constexpr std::uint32_t specifier_not_valid = 0x05040001;
 constexpr unsigned expedited = 0x02, size_indicated = 0x01;
 
 unsigned specifier(const CanFrame& frame) { return frame.data[0] >> 5; }
@@ -60,6 +61,14 @@ std::optional<SdoRequest> decode_sdo_request(const CanFrame& frame) {
   const auto data = expedited_data(frame);
   if (!data) return std::nullopt;
   return SdoWrite{*node, entry_of(frame), data->value, data->size};
+}
+
+std::optional<SdoAbort> refuse_other_request(const CanFrame& frame) {
+  const auto node = node_above(frame, sdo_request_base);
+  if (!node || specifier(frame) == abort_transfer || decode_sdo_request(frame)) return std::nullopt;
+  const bool names_no_entry =
+      specifier(frame) == client_segment || specifier(frame) == client_next_segment;
+  return SdoAbort{*node, names_no_entry ? ObjectEntry{} : entry_of(frame), specifier_not_valid};
 }
 
 std::optional<SdoResponse> decode_sdo_response(const CanFrame& frame) {

@@ -62,6 +62,11 @@ using SdoResponse = std::variant<SdoValue, SdoWritten, SdoAbort>;
 std::optional<SdoRequest> decode_sdo_request(const CanFrame& frame);
 std::optional<SdoResponse> decode_sdo_response(const CanFrame& frame);
 
+/// The abort (05040001h, command specifier not valid) with which a node of expedited transfers
+/// answers any other request: of segments, of blocks, or shorter than 8 bytes. Empty for expedited
+/// requests, for an abort, which is not answered, and for frames of other services.
+std::optional<SdoAbort> refuse_other_request(const CanFrame& frame);
+
 CanFrame encode(const SdoRead& message);
 CanFrame encode(const SdoWrite& message);
 CanFrame encode(const SdoValue& message);

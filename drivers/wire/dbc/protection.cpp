@@ -14,8 +14,6 @@ constexpr Crc j1850_bare({8, 0x1D, 0, false, 0});  // what AUTOSAR's profile 1 s
 constexpr Crc h2f({8, 0x2F, 0xFF, false, 0xFF});
 constexpr Crc ccitt_false({16, 0x1021, 0xFFFF, false, 0});
 
-constexpr unsigned invalid_counter = 15;  // of profile 1
-
 struct Row {
   Checksum checksum;
   std::string_view name;
@@ -104,7 +102,6 @@ std::uint16_t computed(const Protection& p, const CanFrame& frame) {
   }
 }
 
-bool is_profile_1(Checksum c) { return c <= Checksum::e2e_1_nibble; }
 bool is_e2e(Checksum c) { return c <= Checksum::e2e_5; }
 
 std::size_t place(const Protection& p) { return is_e2e(p.checksum) ? 0 : p.at; }
@@ -132,7 +129,8 @@ std::string_view to_string(Checksum checksum) {
 
 bool is_intact(const Protection& p, const CanFrame& frame) {
   if (!is_long_enough(p, frame) || !nibble_fits(p, frame)) return false;
-  if (is_profile_1(p.checksum) && nibble_counter(frame.payload()) == invalid_counter) return false;
+  if (is_profile_1(p.checksum) && nibble_counter(frame.payload()) == modulus_of_profile_1)
+    return false;
   if (p.checksum == Checksum::e2e_5)
     return load_le<std::uint16_t>(frame.payload(), 0) == computed(p, frame);
   return frame.data[place(p)] == computed(p, frame);

@@ -28,6 +28,10 @@ enum class Checksum : std::uint8_t {
   xor_of_bytes,     ///< of the other bytes and `seed`
 };
 
+/// AUTOSAR's profile 1 counts from 0 to 14; 15 means that the frame is not valid.
+constexpr unsigned modulus_of_profile_1 = 15;
+constexpr bool is_profile_1(Checksum checksum) { return checksum <= Checksum::e2e_1_nibble; }
+
 /// Names of rig files: "e2e-1-both" and so on.
 std::optional<Checksum> checksum_named(std::string_view name);
 std::string_view to_string(Checksum checksum);

@@ -234,6 +234,7 @@ class Readings {
   }
   /// Removes all that was measured; the times stay.
   void keep_times() { present_ &= times; }
+  void forget_times() { present_ &= ~times; }
   bool measured() const { return (present_ & ~times).any(); }
 
  private:

@@ -80,7 +80,7 @@ void read_line(CheckedFields& fields, Pd6Velocity<Reference, Axes>& m) {
     if (mmps > bad_mmps) m.velocity_mps[i] = mmps / 1000;
   }
   const std::string_view status = fields.text();
-  fields.require(status == "A" || status == "V");
+  fields.require(status == "A" || status == "V" || status == "I");  // I: as NavQuests write V
   m.good = status == "A";
   if (!m.good) m.velocity_mps = {};
 }

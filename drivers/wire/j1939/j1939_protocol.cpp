@@ -4,11 +4,13 @@ namespace drydock::wire {
 
 std::optional<j1939::TransportMessage> receive_transport(j1939::TransportReceiver& transport,
                                                          StreamCounters& counters,
-                                                         const j1939::Identifier& id,
-                                                         Bytes payload) {
-  constexpr j1939::TransportReceiver::Time no_clock{};
+                                                         const j1939::Identifier& id, Bytes payload,
+                                                         std::chrono::nanoseconds now) {
+  const auto waiting = transport.counters();
+  transport.expire(now);
   const auto before = transport.counters();
-  auto message = transport.receive(id, payload, no_clock).message;
+  counters.bad_checksums += before.dropped - waiting.dropped;
+  auto message = transport.receive(id, payload, now).message;
   const auto& after = transport.counters();
   const bool lost = after.dropped != before.dropped || after.stray != before.stray;
   counters.bytes_in += payload.size();
@@ -17,11 +19,12 @@ std::optional<j1939::TransportMessage> receive_transport(j1939::TransportReceive
   return message;
 }
 
-std::optional<J1939::Message> J1939::Decoder::receive(const CanFrame& frame) {
+std::optional<J1939::Message> J1939::Decoder::receive(const CanFrame& frame,
+                                                      std::chrono::nanoseconds now) {
   const auto id = j1939::identify(frame);
   if (!id) return std::nullopt;
   if (is_transport(id->pgn)) {
-    const auto whole = receive_transport(transport_, counters_, *id, frame.payload());
+    const auto whole = receive_transport(transport_, counters_, *id, frame.payload(), now);
     const auto command =
         whole ? j1939::decode_commanded_address(whole->id, whole->data) : std::nullopt;
     if (!command) return std::nullopt;

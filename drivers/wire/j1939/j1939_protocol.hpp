@@ -16,7 +16,8 @@ struct J1939 {
 
   class Decoder {
    public:
-    std::optional<Message> receive(const CanFrame& frame);
+    /// A listener without a clock leaves `now` out; see TransportReceiver.
+    std::optional<Message> receive(const CanFrame& frame, std::chrono::nanoseconds now = {});
     /// No more frames come: messages that wait for some are lost.
     void finish() { counters_.bad_checksums += transport_.unfinished(); }
     const StreamCounters& counters() const { return counters_; }
@@ -27,11 +28,11 @@ struct J1939 {
   };
 };
 
-/// Gives one packet to a listener without a clock, and counts the bytes of TP.CM and TP.DT.
+/// Gives one packet to a listener, and counts the bytes of TP.CM and TP.DT.
 std::optional<j1939::TransportMessage> receive_transport(j1939::TransportReceiver& transport,
                                                          StreamCounters& counters,
-                                                         const j1939::Identifier& id,
-                                                         Bytes payload);
+                                                         const j1939::Identifier& id, Bytes payload,
+                                                         std::chrono::nanoseconds now);
 
 constexpr bool is_transport(std::uint32_t pgn) {
   return pgn == j1939::transport_control_pgn || pgn == j1939::transport_data_pgn;

@@ -35,6 +35,7 @@ bool is_sound(const TransportControl& c) {
 
 TransportReceiver::Result TransportReceiver::receive(const Identifier& id, Bytes payload,
                                                      Time now) {
+  expire(now);
   if (id.pgn == transport_data_pgn) {
     Session* session = find(id.source, id.destination);
     if (session != nullptr && !payload.empty()) return packet(*session, payload, now);
@@ -46,6 +47,11 @@ TransportReceiver::Result TransportReceiver::receive(const Identifier& id, Bytes
   }
   counters_.stray += id.pgn == transport_control_pgn;
   return {};
+}
+
+void TransportReceiver::expire(Time now) {
+  for (Session& s : sessions_)
+    if (s.busy && !ours(s) && s.deadline < now) drop(s);
 }
 
 std::optional<CanFrame> TransportReceiver::tick(Time now) {
@@ -111,6 +117,7 @@ std::optional<CanFrame> TransportReceiver::begin(const TransportControl& c, std:
   s->limit = c.limit;
   s->next = 1;
   s->repeats = 0;
+  s->heard.clear();
   if (to_us) return grant(*s, now);
   const bool broadcast = c.kind == Kind::broadcast;
   wait(*s, now, broadcast ? transport_timeout::next_packet : transport_timeout::first_packet);
@@ -119,6 +126,7 @@ std::optional<CanFrame> TransportReceiver::begin(const TransportControl& c, std:
 
 TransportReceiver::Result TransportReceiver::packet(Session& s, Bytes payload, Time now) {
   const unsigned number = payload[0];
+  s.heard.add(number);
   if (number != s.next) return {std::nullopt, gap(s, number, now)};
   const std::size_t at = (s.next - 1) * transport_packet_bytes;
   const std::size_t wanted = std::min(transport_packet_bytes, s.size - at);
@@ -129,20 +137,21 @@ TransportReceiver::Result TransportReceiver::packet(Session& s, Bytes payload, T
   std::copy_n(payload.begin() + 1, wanted, s.data.begin() + static_cast<std::ptrdiff_t>(at));
   if (s.next++ == s.packets) return complete(s);
   if (s.next > s.granted) return {std::nullopt, grant(s, now)};
-  wait(s, now, transport_timeout::next_packet);
+  wait_for_packet(s, now);
   return {};
 }
 
-/// A broadcast is never repeated. In a connection the receiver asks again only after the last
-/// packet that it granted: an earlier message would disturb the sending.
+/// A broadcast is never repeated, but its latest packet may be heard twice (ISO 11898-1). In a
+/// connection the receiver asks again only after the last packet that it granted: an earlier
+/// message would disturb the sending.
 std::optional<CanFrame> TransportReceiver::gap(Session& s, unsigned number, Time now) {
   if (s.destination == global_address) {
-    s.next = number + 1;
+    if (number + 1 == s.next && number > 0) return std::nullopt;
     drop(s);
     return std::nullopt;
   }
   if (number < s.next) return std::nullopt;
-  wait(s, now, transport_timeout::next_packet);
+  wait_for_packet(s, now);
   if (!ours(s) || number < s.granted) return std::nullopt;
   if (s.repeats++ == max_repeats) return abort(s, TransportControl::too_many_repeats);
   return grant(s, now);
@@ -150,7 +159,7 @@ std::optional<CanFrame> TransportReceiver::gap(Session& s, unsigned number, Time
 
 TransportReceiver::Result TransportReceiver::complete(Session& s) {
   s.busy = false;
-  remember(s.source, s.destination, s.next - 1);
+  remember(s);
   ++counters_.messages;
   Result result;
   result.message = {{s.priority, s.pgn, s.destination, s.source}, {s.data.data(), s.size}};
@@ -185,6 +194,13 @@ void TransportReceiver::wait(Session& s, Time now, Time timeout) {
   s.deadline = now + timeout;
 }
 
+/// A listener does not keep what the other end grants: each pause in a connection of others may be
+/// the one for its answer.
+void TransportReceiver::wait_for_packet(Session& s, Time now) {
+  const bool of_others = s.destination != global_address && !ours(s);
+  wait(s, now, of_others ? transport_timeout::first_packet : transport_timeout::next_packet);
+}
+
 TransportReceiver::Session* TransportReceiver::find(std::uint8_t source, std::uint8_t destination) {
   for (Session& s : sessions_) {
     if (s.busy && s.source == source && s.destination == destination) return &s;
@@ -205,16 +221,20 @@ TransportReceiver::Session& TransportReceiver::free_slot() {
 void TransportReceiver::drop(Session& s) {
   s.busy = false;
   ++counters_.dropped;
-  remember(s.source, s.destination, s.next - 1);
+  remember(s);
 }
 
 /// A message without its announcement is counted once, the rest of a lost one is not.
 void TransportReceiver::note_stray(const Identifier& id, Bytes payload) {
   ++counters_.stray;
   if (payload.empty()) return;
-  const Behind* const before = behind(id.source, id.destination);
-  if (before == nullptr || before->number > payload[0]) ++counters_.headless;
-  remember(id.source, id.destination, payload[0]);
+  Behind* before = behind(id.source, id.destination);
+  if (before == nullptr || !before->heard.may_have(payload[0])) {
+    ++counters_.headless;
+    if (before == nullptr) before = &behind_[next_behind_++ % behind_.size()];
+    *before = {id.source, id.destination, {}, true};
+  }
+  before->heard.add(payload[0]);
 }
 
 TransportReceiver::Behind* TransportReceiver::behind(std::uint8_t source,
@@ -224,10 +244,10 @@ TransportReceiver::Behind* TransportReceiver::behind(std::uint8_t source,
   return nullptr;
 }
 
-void TransportReceiver::remember(std::uint8_t source, std::uint8_t destination, unsigned number) {
-  Behind* one = behind(source, destination);
+void TransportReceiver::remember(const Session& s) {
+  Behind* one = behind(s.source, s.destination);
   if (one == nullptr) one = &behind_[next_behind_++ % behind_.size()];
-  *one = {source, destination, number, true};
+  *one = {s.source, s.destination, s.heard, true};
 }
 
 std::uint64_t TransportReceiver::unfinished() const {

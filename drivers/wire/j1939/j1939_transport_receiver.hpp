@@ -3,6 +3,7 @@
 #include <array>
 
 #include "drivers/wire/j1939/j1939_transport.hpp"
+#include "drivers/wire/j1939/packet_numbers.hpp"
 
 namespace drydock::wire::j1939 {
 
@@ -37,19 +38,19 @@ class TransportReceiver {
   /// Without an own address it only listens.
   void set_address(std::optional<std::uint8_t> own) { own_ = own; }
 
-  /// A listener without a clock always passes the same `now`; then only the packet numbers show a
-  /// lost packet.
-  Result receive(const Identifier& id, Bytes payload, Time now);
+  /// A listener without a clock leaves `now` out; then only the packet numbers show a lost packet.
+  Result receive(const Identifier& id, Bytes payload, Time now = {});
+  void expire(Time now);  ///< drops the sessions of others whose next packet did not come in time
   std::optional<CanFrame> tick(Time now);  ///< call it at or after deadline()
   std::optional<Time> deadline() const;
   const Counters& counters() const { return counters_; }
   std::uint64_t unfinished() const;  ///< sessions that wait for packets
 
  private:
-  /// The last packet between two nodes that ended a message, or belongs to one that is lost.
+  /// The last message between two nodes that ended, or is lost.
   struct Behind {
     std::uint8_t source = 0, destination = 0;
-    unsigned number = 0;
+    PacketNumbers heard;
     bool known = false;
   };
   struct Session {
@@ -60,6 +61,7 @@ class TransportReceiver {
     unsigned packets = 0, next = 1;
     unsigned granted = 0;  ///< number of the last packet that may come
     unsigned limit = 0, repeats = 0;
+    PacketNumbers heard;
     Time deadline{};
     std::uint64_t last_used = 0;
     std::array<std::uint8_t, transport_max_bytes> data{};
@@ -71,8 +73,9 @@ class TransportReceiver {
   void drop(Session& session);
   void note_stray(const Identifier& id, Bytes payload);
   Behind* behind(std::uint8_t source, std::uint8_t destination);
-  void remember(std::uint8_t source, std::uint8_t destination, unsigned number);
+  void remember(const Session& session);
   void wait(Session& session, Time now, Time timeout);
+  void wait_for_packet(Session& session, Time now);
   std::optional<CanFrame> control(const TransportControl& control, std::uint8_t priority, Time now);
   std::optional<CanFrame> begin(const TransportControl& control, std::uint8_t priority, Time now);
   Result packet(Session& session, Bytes payload, Time now);

@@ -9,9 +9,16 @@ namespace {
 constexpr std::size_t first_frame_bytes = 6;
 constexpr std::size_t next_frame_bytes = 7;
 
+/// Where the bytes of frame `index` stand in the message.
+constexpr std::size_t place_of(std::size_t index) {
+  return index == 0 ? 0 : first_frame_bytes + (index - 1) * next_frame_bytes;
+}
+
 }  // namespace
 
-std::optional<FastPacket> FastPacketAssembler::receive(const j1939::Identifier& id, Bytes payload) {
+std::optional<FastPacket> FastPacketAssembler::receive(const j1939::Identifier& id, Bytes payload,
+                                                       Time now) {
+  expire(now);
   if (payload.empty()) {
     ++counters_.stray;
     return std::nullopt;
@@ -19,21 +26,38 @@ std::optional<FastPacket> FastPacketAssembler::receive(const j1939::Identifier& 
   const std::uint8_t sequence = payload[0] >> 5;
   const std::uint8_t index = payload[0] & 0x1F;
   Assembly* assembly = find(id, sequence);
+  if (assembly != nullptr && is_again(*assembly, index, payload)) return std::nullopt;
   if (index == 0) {
     if (assembly != nullptr) drop(*assembly);
-    return begin(id, sequence, payload);
+    return begin(id, sequence, payload, now);
   }
   if (assembly == nullptr) {
     note_stray(id, sequence, index);
     return std::nullopt;
   }
+  assembly->heard.add(index);
   if (index != assembly->next_index) {
-    assembly->next_index = static_cast<std::uint8_t>(index + 1);
     drop(*assembly);
     return std::nullopt;
   }
   ++assembly->next_index;
+  assembly->heard_at = now;
   return append(*assembly, id, payload.subspan(1), next_frame_bytes);
+}
+
+void FastPacketAssembler::expire(Time now) {
+  for (Assembly& a : assemblies_)
+    if (a.busy && now - a.heard_at > next_frame) drop(a);
+}
+
+/// True for the latest frame of the message once more: a sender that did not see the end of its
+/// frame repeats it, and the receivers hear it twice (ISO 11898-1).
+bool FastPacketAssembler::is_again(const Assembly& a, std::uint8_t index, Bytes payload) {
+  const std::size_t header = index == 0 ? 2 : 1, place = place_of(index);
+  if (index + 1 != a.next_index || (index == 0 && payload[1] != a.total)) return false;
+  const std::size_t count = a.held - place;
+  return payload.size() >= header + count &&
+         std::ranges::equal(payload.subspan(header, count), Bytes{a.data}.subspan(place, count));
 }
 
 FastPacketAssembler::Assembly* FastPacketAssembler::find(const j1939::Identifier& id,
@@ -65,10 +89,14 @@ void FastPacketAssembler::note_stray(const j1939::Identifier& id, std::uint8_t s
                                      std::uint8_t index) {
   ++counters_.stray;
   Behind* before = behind(id.pgn, id.source);
-  const bool goes_on = before != nullptr && before->sequence == sequence && before->index <= index;
-  if (!goes_on) ++counters_.headless;
-  if (before == nullptr) before = &behind_[next_behind_++ % behind_.size()];
-  *before = {id.pgn, id.source, sequence, index, true};
+  const bool goes_on =
+      before != nullptr && before->sequence == sequence && before->heard.may_have(index);
+  if (!goes_on) {
+    ++counters_.headless;
+    if (before == nullptr) before = &behind_[next_behind_++ % behind_.size()];
+    *before = {id.pgn, id.source, sequence, {}, true};
+  }
+  before->heard.add(index);
 }
 
 FastPacketAssembler::Behind* FastPacketAssembler::behind(std::uint32_t pgn, std::uint8_t source) {
@@ -80,8 +108,7 @@ FastPacketAssembler::Behind* FastPacketAssembler::behind(std::uint32_t pgn, std:
 void FastPacketAssembler::remember(const Assembly& assembly) {
   Behind* one = behind(assembly.pgn, assembly.source);
   if (one == nullptr) one = &behind_[next_behind_++ % behind_.size()];
-  *one = {assembly.pgn, assembly.source, assembly.sequence,
-          static_cast<std::uint8_t>(assembly.next_index - 1), true};
+  *one = {assembly.pgn, assembly.source, assembly.sequence, assembly.heard, true};
 }
 
 std::uint64_t FastPacketAssembler::unfinished() const {
@@ -90,7 +117,8 @@ std::uint64_t FastPacketAssembler::unfinished() const {
 }
 
 std::optional<FastPacket> FastPacketAssembler::begin(const j1939::Identifier& id,
-                                                     std::uint8_t sequence, Bytes payload) {
+                                                     std::uint8_t sequence, Bytes payload,
+                                                     Time now) {
   if (payload.size() < 2 || payload[1] > fast_packet_max_bytes) {
     note_stray(id, sequence, 0);
     return std::nullopt;
@@ -104,6 +132,9 @@ std::optional<FastPacket> FastPacketAssembler::begin(const j1939::Identifier& id
   a.next_index = 1;
   a.total = payload[1];
   a.held = 0;
+  a.heard.clear();
+  a.heard.add(0);
+  a.heard_at = now;
   return append(a, id, payload.subspan(2), first_frame_bytes);
 }
 
@@ -128,12 +159,8 @@ CanFrame encode_fast_packet(const j1939::Identifier& id, std::uint8_t sequence, 
                             std::size_t index) {
   CanFrame frame = j1939::blank_frame(id);
   frame.data[0] = static_cast<std::uint8_t>((sequence & 7) << 5 | index);
-  std::size_t header = 1, begin = first_frame_bytes + (index - 1) * next_frame_bytes;
-  if (index == 0) {
-    frame.data[1] = static_cast<std::uint8_t>(message.size());
-    header = 2;
-    begin = 0;
-  }
+  const std::size_t header = index == 0 ? 2 : 1, begin = place_of(index);
+  if (index == 0) frame.data[1] = static_cast<std::uint8_t>(message.size());
   const std::size_t count = std::min(8 - header, message.size() - begin);
   std::copy_n(message.begin() + static_cast<std::ptrdiff_t>(begin), count,
               frame.data.begin() + header);

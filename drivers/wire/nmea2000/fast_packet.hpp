@@ -1,11 +1,13 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <span>
 
 #include "drivers/wire/j1939/j1939.hpp"
+#include "drivers/wire/j1939/packet_numbers.hpp"
 
 /// NMEA 2000 fast packet: up to 223 bytes in at most 32 frames. Byte 0 is sequence<<5 | index.
 /// Frame 0 carries the length and 6 bytes, each further frame 7 bytes.
@@ -19,12 +21,16 @@ struct FastPacket {
   std::span<const std::uint8_t> data;
 };
 
-/// Assembles messages by (PGN, source, sequence). Frames of one message must come in order: a lost
-/// or misplaced frame drops the message. Frame 0 always starts a new message, so it is never joined
-/// to an earlier one.
+/// Assembles messages by (PGN, source, sequence). Frames of one message must come in order, and
+/// within 750 ms of each other: a lost, late or misplaced frame drops the message. A frame that
+/// comes twice in a row is taken once. Any other frame 0 starts a new message, so it is never
+/// joined to an earlier one.
 class FastPacketAssembler {
  public:
+  using Time = std::chrono::nanoseconds;
+
   static constexpr std::size_t max_concurrent = 16;  ///< then drops the longest idle message
+  static constexpr std::chrono::milliseconds next_frame{750};  ///< a message waits no longer for it
 
   struct Counters {
     std::uint64_t messages = 0;
@@ -33,15 +39,18 @@ class FastPacketAssembler {
     std::uint64_t stray = 0;     ///< frames without a message or too short; invalid lengths
   };
 
-  std::optional<FastPacket> receive(const j1939::Identifier& id, Bytes payload);
+  /// A listener without a clock leaves `now` out; then only the numbers show a lost frame.
+  std::optional<FastPacket> receive(const j1939::Identifier& id, Bytes payload, Time now = {});
+  void expire(Time now);  ///< drops the messages whose next frame did not come in time
   const Counters& counters() const { return counters_; }
   std::uint64_t unfinished() const;  ///< messages that have begun and wait for frames
 
  private:
-  /// The last frame of a node that ended a message, or belongs to one that is lost.
+  /// The last message of a node that ended, or is lost.
   struct Behind {
     std::uint32_t pgn = 0;
-    std::uint8_t source = 0, sequence = 0, index = 0;
+    std::uint8_t source = 0, sequence = 0;
+    j1939::PacketNumbers heard;
     bool known = false;
   };
   struct Assembly {
@@ -52,14 +61,18 @@ class FastPacketAssembler {
     std::uint8_t next_index = 0;
     std::uint8_t total = 0;
     std::uint8_t held = 0;
+    j1939::PacketNumbers heard;
+    Time heard_at{};
     std::uint64_t last_used = 0;
     std::array<std::uint8_t, fast_packet_max_bytes> data{};
   };
 
+  static bool is_again(const Assembly& assembly, std::uint8_t index, Bytes payload);
+
   Assembly* find(const j1939::Identifier& id, std::uint8_t sequence);
   Assembly& free_slot();
-  std::optional<FastPacket> begin(const j1939::Identifier& id, std::uint8_t sequence,
-                                  Bytes payload);
+  std::optional<FastPacket> begin(const j1939::Identifier& id, std::uint8_t sequence, Bytes payload,
+                                  Time now);
   std::optional<FastPacket> append(Assembly& assembly, const j1939::Identifier& id, Bytes data,
                                    std::size_t room);
   void drop(Assembly& assembly);

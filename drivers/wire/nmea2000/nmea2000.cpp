@@ -69,13 +69,14 @@ const ReadPgn* find_pgn(std::uint32_t pgn) {
 
 }  // namespace
 
-std::optional<Nmea2000::Message> Nmea2000::Decoder::receive(const CanFrame& frame) {
+std::optional<Nmea2000::Message> Nmea2000::Decoder::receive(const CanFrame& frame,
+                                                            std::chrono::nanoseconds now) {
   const auto id = j1939::identify(frame);
   if (!id) return std::nullopt;
-  if (is_transport(id->pgn)) return receive_packet(*id, frame);
+  if (is_transport(id->pgn)) return receive_packet(*id, frame, now);
   const ReadPgn* row = find_pgn(id->pgn);
   if (row == nullptr || row->as == ReadPgn::As::transport) return std::nullopt;
-  if (row->as == ReadPgn::As::fast_packet) return receive_part(*id, frame);
+  if (row->as == ReadPgn::As::fast_packet) return receive_part(*id, frame, now);
   return count_frame(counters_, frame, row->decode(*id, frame.payload()));
 }
 
@@ -84,9 +85,13 @@ void Nmea2000::Decoder::finish() {
 }
 
 std::optional<Nmea2000::Message> Nmea2000::Decoder::receive_part(const j1939::Identifier& id,
-                                                                 const CanFrame& frame) {
+                                                                 const CanFrame& frame,
+                                                                 std::chrono::nanoseconds now) {
+  const auto waiting = assembler_.counters();
+  assembler_.expire(now);
   const auto before = assembler_.counters();
-  const auto whole = assembler_.receive(id, frame.payload());
+  counters_.bad_checksums += before.dropped - waiting.dropped;
+  const auto whole = assembler_.receive(id, frame.payload(), now);
   const auto& after = assembler_.counters();
   counters_.bytes_in += frame.size;
   counters_.bad_checksums += after.dropped + after.headless - before.dropped - before.headless;
@@ -97,8 +102,9 @@ std::optional<Nmea2000::Message> Nmea2000::Decoder::receive_part(const j1939::Id
 
 /// Any message may come through the transport protocol.
 std::optional<Nmea2000::Message> Nmea2000::Decoder::receive_packet(const j1939::Identifier& id,
-                                                                   const CanFrame& frame) {
-  const auto whole = receive_transport(transport_, counters_, id, frame.payload());
+                                                                   const CanFrame& frame,
+                                                                   std::chrono::nanoseconds now) {
+  const auto whole = receive_transport(transport_, counters_, id, frame.payload(), now);
   return whole ? receive_whole(whole->id, whole->data) : std::nullopt;
 }
 

@@ -30,13 +30,16 @@ struct Nmea2000 {
 
   class Decoder {
    public:
-    std::optional<Message> receive(const CanFrame& frame);
+    /// A listener without a clock leaves `now` out; see FastPacketAssembler.
+    std::optional<Message> receive(const CanFrame& frame, std::chrono::nanoseconds now = {});
     void finish();  ///< no more frames come: messages that wait for some are lost
     const StreamCounters& counters() const { return counters_; }
 
    private:
-    std::optional<Message> receive_part(const j1939::Identifier& id, const CanFrame& frame);
-    std::optional<Message> receive_packet(const j1939::Identifier& id, const CanFrame& frame);
+    std::optional<Message> receive_part(const j1939::Identifier& id, const CanFrame& frame,
+                                        std::chrono::nanoseconds now);
+    std::optional<Message> receive_packet(const j1939::Identifier& id, const CanFrame& frame,
+                                          std::chrono::nanoseconds now);
     std::optional<Message> receive_whole(const j1939::Identifier& id, Bytes message);
 
     FastPacketAssembler assembler_;

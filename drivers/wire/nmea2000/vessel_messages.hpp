@@ -7,6 +7,7 @@
 namespace drydock::wire::nmea2000 {
 
 constexpr Resolution turn_step{1, 32'000'000};              ///< rad/s
+constexpr double half_turn_rad = 3.1416;                    ///< pi in steps of an angle
 constexpr std::uint8_t true_north = 0, magnetic_north = 1;  ///< values of a `reference`
 
 /// PGN 127250. True heading = magnetic heading + deviation + variation, each positive to the east.
@@ -74,7 +75,8 @@ struct Attitude {
 
   static void layout(auto& m, auto&& field) {
     field("sequence", m.sequence, Whole{0});
-    field("yaw_rad", m.yaw_rad, Scaled<std::int16_t>{1, angle_step});
+    // The driver judges pitch and roll, and tells what it refuses.
+    field("yaw_rad", m.yaw_rad, Scaled<std::int16_t>{1, angle_step, -half_turn_rad});
     field("pitch_rad", m.pitch_rad, Scaled<std::int16_t>{3, angle_step});
     field("roll_rad", m.roll_rad, Scaled<std::int16_t>{5, angle_step});
   }

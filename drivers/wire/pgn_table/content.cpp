@@ -17,9 +17,12 @@ std::optional<std::uint64_t> raw_of(const Field& field, const Slice& slice) {
   return bits_at(slice.bytes, slice.first_bit, field.bits);
 }
 
-/// A marker of the highest numbers is not a value.
+/// A marker of the highest numbers is not a value, and none is below the field's range.
 bool is_value(const Field& field, std::uint64_t raw) {
   const bool is_signed = field.is_signed && !field.offset;
+  if (field.lowest_raw && is_signed &&
+      static_cast<double>(with_sign(raw, field.bits)) < *field.lowest_raw)
+    return false;
   const std::uint64_t top = highest(field.bits, is_signed);
   return raw > top || top - raw >= field.markers;
 }
@@ -28,10 +31,12 @@ bool is_whole(const Field& field) { return field.step == 1 && !field.offset; }
 
 void put_number(const Field& field, std::uint64_t raw, Value& value) {
   const bool is_signed = field.is_signed && !field.offset;
-  const std::int64_t number =
-      is_signed ? with_sign(raw, field.bits) : static_cast<std::int64_t>(raw);
-  if (is_whole(field) && (is_signed || number >= 0)) {
-    value.content = number;
+  const std::int64_t number = is_signed ? with_sign(raw, field.bits) : 0;
+  if (is_whole(field)) {
+    if (is_signed)
+      value.content = number;
+    else
+      value.content = raw;
     return;
   }
   const double steps = is_signed ? static_cast<double>(number) : static_cast<double>(raw);

@@ -24,14 +24,16 @@ class Receiver {
       : catalogue_(catalogue), transport_(std::make_unique<j1939::TransportReceiver>()) {}
 
   /// A message that this frame is or ends. Empty: it is a part, or `passed_over`.
-  std::optional<Whole> receive(const CanFrame& frame);
+  /// A listener without a clock leaves `now` out; see FastPacketAssembler.
+  std::optional<Whole> receive(const CanFrame& frame, std::chrono::nanoseconds now = {});
   /// True if the table has nothing of the last frame.
   bool passed_over() const { return passed_over_; }
   /// Messages that began and never ended, and parts without a beginning.
   std::uint64_t incomplete() const;
 
  private:
-  std::optional<Whole> receive_packet(const j1939::Identifier& id, Bytes payload);
+  std::optional<Whole> receive_packet(const j1939::Identifier& id, Bytes payload,
+                                      std::chrono::nanoseconds now);
 
   const Catalogue& catalogue_;
   FastPacketAssembler fast_packets_;

@@ -24,7 +24,7 @@ struct Name {
 /// A value in the table's unit. Views point into the table.
 struct Value {
   const Field* field = nullptr;
-  std::variant<std::monostate, std::int64_t, double, Text> content;
+  std::variant<std::monostate, std::int64_t, std::uint64_t, double, Text> content;
   bool has_meaning = false;
   std::optional<Name> meaning;              ///< of a lookup; empty: not in the table
   std::optional<std::vector<Name>> bits{};  ///< of a bit lookup: those that are set

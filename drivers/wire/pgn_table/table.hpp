@@ -46,6 +46,7 @@ struct Field {
   double steps_per_unit = 0;     ///< 1 / step if that is whole, else 0
   std::optional<double> offset;  ///< then the raw number is unsigned
   bool is_signed = false;
+  std::optional<double> lowest_raw;    ///< of a number with a sign whose range ends above its bits
   unsigned markers = 0;                ///< so many of the highest raw numbers are no values
   std::optional<std::uint64_t> match;  ///< raw number that makes a message one of this definition
   std::size_t bit_offset = 0;          ///< of a field with `match` or on which another depends

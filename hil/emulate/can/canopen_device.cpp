@@ -17,7 +17,8 @@ constexpr canopen::ObjectEntry device_type_entry{0x1000, 0}, error_register_entr
 constexpr std::uint16_t identity_index = 0x1018, pdo_index = 0x1800, mapping_index = 0x1A00;
 constexpr std::uint8_t on_each_sync = 1, by_the_profile = 0xFE;  // PDO transmission types
 constexpr std::uint32_t read_only = 0x06010002, no_such_object = 0x06020000,
-                        length_differs = 0x06070010, not_in_this_state = 0x08000022;
+                        no_such_subindex = 0x06090011, length_differs = 0x06070010,
+                        not_in_this_state = 0x08000022;
 
 }  // namespace
 
@@ -66,6 +67,10 @@ void CanopenDevice::receive(const wire::CanFrame& frame, Stamp now, Wire& out) {
     if (const auto* read = std::get_if<canopen::SdoRead>(&*request)) return serve(*read, out);
     return serve(std::get<canopen::SdoWrite>(*request), now, out);
   }
+  if (const auto refusal = canopen::refuse_other_request(frame)) {
+    if (refusal->node == node_) out.send(canopen::encode(*refusal));
+    return;
+  }
   hear(frame, now, out);
 }
 
@@ -75,12 +80,17 @@ void CanopenDevice::obey(const canopen::Nmt& order, Stamp now, Wire& out) {
     case NmtCommand::start: state_ = NodeState::operational; break;
     case NmtCommand::stop: state_ = NodeState::stopped; break;
     case NmtCommand::enter_pre_operational: state_ = NodeState::pre_operational; break;
-    case NmtCommand::reset_node:
-    case NmtCommand::reset_communication:
-      state_ = NodeState::boot_up;
-      beat(now, out);
-      break;
+    case NmtCommand::reset_node: return power_on(true, now, out);
+    case NmtCommand::reset_communication: return power_on(false, now, out);
   }
+}
+
+void CanopenDevice::power_on(bool application, Stamp now, Wire& out) {
+  if (application) reset_application(now);
+  reset_communication();
+  heartbeat_period_ = power_on_heartbeat;
+  state_ = NodeState::boot_up;
+  beat(now, out);
 }
 
 std::optional<CanopenDevice::Object> CanopenDevice::find(const canopen::ObjectEntry& entry) const {
@@ -93,6 +103,13 @@ std::optional<CanopenDevice::Object> CanopenDevice::find(const canopen::ObjectEn
   if (entry == canopen::ObjectEntry{identity_index, 1}) return Object{0, 4};  // no real product
   if (const auto found = pdo_object(entry)) return found;
   return object(entry);
+}
+
+/// The code for an entry that is not there: of an object that is, only the sub-index is wrong.
+std::uint32_t CanopenDevice::missing(const canopen::ObjectEntry& entry) const {
+  for (unsigned sub = 0; sub < 0xFF; ++sub)
+    if (find({entry.index, static_cast<std::uint8_t>(sub)})) return no_such_subindex;
+  return no_such_object;
 }
 
 std::optional<CanopenDevice::Object> CanopenDevice::pdo_object(
@@ -119,7 +136,7 @@ void CanopenDevice::serve(const canopen::SdoRead& request, Wire& out) const {
   if (found) {
     out.send(canopen::encode(canopen::SdoValue{node_, request.entry, found->value, found->size}));
   } else {
-    out.send(canopen::encode(canopen::SdoAbort{node_, request.entry, no_such_object}));
+    out.send(canopen::encode(canopen::SdoAbort{node_, request.entry, missing(request.entry)}));
   }
 }
 
@@ -138,7 +155,7 @@ std::optional<std::uint32_t> CanopenDevice::refusal_of(const canopen::SdoWrite& 
   if (condition().under(FaultKind::nak)) return not_in_this_state;
   if (request.entry != heartbeat_entry) {
     const auto code = set(request);
-    if (!code) return find(request.entry) ? read_only : no_such_object;
+    if (!code) return find(request.entry) ? read_only : missing(request.entry);
     return *code == 0 ? std::nullopt : code;
   }
   if (request.size != 2) return length_differs;

@@ -7,8 +7,8 @@
 namespace drydock::emulate {
 
 /// A sampling device that is a CANopen node (CiA 301): boot-up message, heartbeat each second
-/// (1017h changes it), NMT, expedited SDO server, emergencies. In the operational state it samples
-/// at its rate, or on each SYNC if the configuration says so.
+/// (1017h changes it until a reset), NMT, expedited SDO server, emergencies. In the operational
+/// state it samples at its rate, or on each SYNC if the configuration says so.
 class CanopenDevice : public SamplingDevice {
  public:
   std::optional<Stamp> deadline() const final;
@@ -42,6 +42,11 @@ class CanopenDevice : public SamplingDevice {
   /// the code of the refusal, 0 for none.
   virtual std::optional<std::uint32_t> set(const wire::canopen::SdoWrite&) { return {}; }
 
+  /// NMT resets: what was set gets its power-on value. This class does so for 1017h. A reset of the
+  /// node also resets the communication.
+  virtual void reset_communication() {}
+  virtual void reset_application(Stamp /*now*/) {}
+
   /// The contents of each transmit PDO in the form of 1A00h: index << 16 | subindex << 8 | bits.
   using Mapping = std::span<const std::uint32_t>;
   virtual std::span<const Mapping> pdos() const { return {}; }
@@ -57,7 +62,9 @@ class CanopenDevice : public SamplingDevice {
   void beat(Stamp now, Wire& out);
   void obey(const wire::canopen::Nmt& order, Stamp now, Wire& out);
   std::optional<Object> find(const wire::canopen::ObjectEntry& entry) const;
+  std::uint32_t missing(const wire::canopen::ObjectEntry& entry) const;
   std::optional<Object> pdo_object(const wire::canopen::ObjectEntry& entry) const;
+  void power_on(bool application, Stamp now, Wire& out);
   void serve(const wire::canopen::SdoRead& request, Wire& out) const;
   void serve(const wire::canopen::SdoWrite& request, Stamp now, Wire& out);
   std::optional<std::uint32_t> refusal_of(const wire::canopen::SdoWrite& request, Stamp now);
@@ -66,7 +73,8 @@ class CanopenDevice : public SamplingDevice {
   std::uint32_t device_type_;
   bool on_sync_;
   wire::canopen::NodeState state_ = wire::canopen::NodeState::boot_up;
-  std::chrono::milliseconds heartbeat_period_{1000};  ///< zero: none
+  static constexpr std::chrono::milliseconds power_on_heartbeat{1000};
+  std::chrono::milliseconds heartbeat_period_ = power_on_heartbeat;  ///< zero: none
   std::optional<Stamp> next_heartbeat_;
   std::optional<Stamp> synced_;  ///< a sample taken on SYNC that is not sent yet
   std::uint16_t fault_ = 0;

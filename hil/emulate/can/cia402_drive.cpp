@@ -82,6 +82,19 @@ class Cia402Drive final : public CanopenDevice {
     set_fault(heartbeat_lost, communication_error, out);
   }
 
+  void reset_communication() override {
+    watched_ = 0;
+    master_heard_at_.reset();
+  }
+
+  void reset_application(Stamp now) override {
+    if (state_ == DriveState::operation_enabled) actuator_.stop(now);
+    state_ = DriveState::switch_on_disabled;
+    shown_mode_.reset();
+    word_ = 0;
+    target_ = 0;
+  }
+
   std::optional<std::uint32_t> set(const canopen::SdoWrite& request) override {
     const auto takes = [&](std::uint8_t size) { return request.size == size ? 0 : wrong_length; };
     const auto [index, subindex] = request.entry;

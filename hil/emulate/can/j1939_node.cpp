@@ -1,6 +1,7 @@
 #include "hil/emulate/can/j1939_node.hpp"
 
 #include "drivers/measurement/earlier.hpp"
+#include "drivers/wire/j1939/aceinna.hpp"
 #include "hil/sensor/random.hpp"
 
 namespace drydock::emulate {
@@ -12,13 +13,22 @@ void send(const std::optional<wire::CanFrame>& frame, Wire& out) {
 
 }  // namespace
 
-wire::j1939::Name name_for(const rig_config::DeviceConfig& config, std::uint8_t function,
-                           std::uint8_t device_class) {
+std::uint32_t identity_of(const rig_config::DeviceConfig& config) {
   constexpr std::uint32_t identity_bits = 0x1FFFFF;
   constexpr std::uint64_t serial_numbers = 0;  // a unit keeps its number for every seed of a run
-  wire::j1939::Name name;
-  name.identity_number = static_cast<std::uint32_t>(
+  return static_cast<std::uint32_t>(
       sensor::RandomStream(serial_numbers, config.name, "NAME").next() & identity_bits);
+}
+
+std::uint32_t identity_in(std::uint64_t name, std::string_view protocol) {
+  const bool reversed = protocol == wire::Aceinna::name;
+  return (reversed ? wire::aceinna::to_name(name) : wire::j1939::to_name(name)).identity_number;
+}
+
+wire::j1939::Name name_for(const rig_config::DeviceConfig& config, std::uint8_t function,
+                           std::uint8_t device_class) {
+  wire::j1939::Name name;
+  name.identity_number = identity_of(config);
   name.function = function;
   name.vehicle_system = device_class;
   name.arbitrary_address_capable = true;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "drivers/wire/j1939/j1939.hpp"
 #include "drivers/wire/j1939/j1939_address_claim.hpp"
 #include "drivers/wire/j1939/j1939_transport_receiver.hpp"
@@ -8,7 +10,12 @@
 
 namespace drydock::emulate {
 
-/// A NAME whose identity number depends on the device's name in the rig.
+/// The identity number in the NAME of a device: it depends on the device's name in the rig.
+std::uint32_t identity_of(const rig_config::DeviceConfig& config);
+/// The identity number of a NAME that was claimed by a device of a protocol.
+std::uint32_t identity_in(std::uint64_t name, std::string_view protocol);
+
+/// A NAME with the identity number of the device.
 wire::j1939::Name name_for(const rig_config::DeviceConfig& config, std::uint8_t function,
                            std::uint8_t device_class);
 

@@ -27,7 +27,7 @@ class DescribedDevice : public Base {
         requests_(*description_) {
     if (!description_->frames) return;
     frames_.emplace(*description_);
-    every_ = turns_of(*description_);
+    turns_ = turns_of(*description_);
     if (const auto sender = sender_of(*description_, setup.config.address))
       node_.emplace(wire::j1939::to_value(sender->name(setup.config)), sender->address, setup.boot);
   }
@@ -97,7 +97,7 @@ class DescribedDevice : public Base {
 
   /// A poll that names no reply is answered with all that the device measures.
   bool is_wanted(const Message& message) const {
-    if (frames_ && this->samples() % every_[place_of(message)] != 0) return false;
+    if (frames_ && !turns_[place_of(message)].has(this->samples())) return false;
     if (!is_polled() || asked_.front().reply->empty()) return message.emulated;
     return message.name == *asked_.front().reply;
   }
@@ -148,7 +148,7 @@ class DescribedDevice : public Base {
 
   wire::described::DescriptionPtr description_;
   std::optional<wire::described::FrameEncoder> frames_;  ///< of a DBC file
-  std::vector<std::uint64_t> every_;                     ///< frames: samples from one to the next
+  std::vector<Turn> turns_;                              ///< of the frames of each message
   std::optional<J1939Node> node_;                        ///< on J1939
   RequestListener requests_;
   std::deque<Asked> asked_;

@@ -12,7 +12,7 @@ constexpr std::uint32_t source_bits = 0xFF;
 
 }  // namespace
 
-std::vector<std::uint64_t> turns_of(const wire::described::Description& description) {
+std::vector<Turn> turns_of(const wire::described::Description& description) {
   const auto& frames = description.frames->frames;
   unsigned shortest_ms = 0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -20,11 +20,10 @@ std::vector<std::uint64_t> turns_of(const wire::described::Description& descript
     if (description.plan.messages[i].emulated && cycle_ms != 0)
       shortest_ms = shortest_ms == 0 ? cycle_ms : std::min(shortest_ms, cycle_ms);
   }
-  std::vector<std::uint64_t> turns;
+  std::vector<Turn> turns;
   for (const auto& frame : frames) {
     const unsigned cycle_ms = frame.message.cycle_ms;
-    const unsigned nearest = shortest_ms == 0 ? 1 : (cycle_ms + shortest_ms / 2) / shortest_ms;
-    turns.push_back(std::max(1u, nearest));
+    turns.push_back(cycle_ms > shortest_ms ? Turn{cycle_ms, std::max(1u, shortest_ms)} : Turn{});
   }
   return turns;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -9,10 +10,19 @@
 /// How an emulated sensor on a CAN bus sends the frames of its description.
 namespace drydock::emulate {
 
-/// Of each message, how many samples from one to the next. The message with the shortest cycle time
-/// comes with every sample; the others come as much more seldom as the DBC file says. A message
-/// without a cycle time comes with every sample.
-std::vector<std::uint64_t> turns_of(const wire::described::Description& description);
+/// How often a message comes: with the first of so many samples, in the mean.
+struct Turn {
+  std::uint64_t cycle = 1, shortest = 1;  ///< cycle / shortest samples from one to the next
+
+  bool has(std::uint64_t sample) const {
+    return sample == 0 || sample * shortest / cycle != (sample - 1) * shortest / cycle;
+  }
+};
+
+/// Of each message. The message with the shortest cycle time comes with every sample; the others
+/// come as much more seldom as the DBC file says. A message without a cycle time comes with every
+/// sample.
+std::vector<Turn> turns_of(const wire::described::Description& description);
 
 /// The J1939 sender of a description.
 struct J1939Sender {

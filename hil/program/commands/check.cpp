@@ -19,9 +19,10 @@ std::string find_of_any_kind(const std::string& word) {
 
 void add_check(CLI::App& app, Command& command) {
   auto files = std::make_shared<std::vector<std::string>>();
-  auto* sub = app.add_subcommand("check", "Check rig, mission, sensor and vehicle files");
+  auto* sub = app.add_subcommand(
+      "check", "Check rig, mission, sensor, device and vehicle files, and DBC files");
   sub->footer("Example: drydock check rig_config/rigs/*.toml");
-  sub->add_option("FILES", *files, "TOML files")->required();
+  sub->add_option("FILES", *files, "TOML files, and DBC files (*.dbc)")->required();
   sub->callback([files, &command] {
     for (auto& file : *files) file = find_of_any_kind(file);
     command = [files] { return check::check(*files, stdout); };

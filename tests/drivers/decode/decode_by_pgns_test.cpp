@@ -46,6 +46,31 @@ TEST(DecodeByPgns, NumbersHaveTheirScaleAndWhatIsNotAvailableIsNull) {
   EXPECT_EQ(fields_of("power"), (json{{"power", 1500.0}, {"scale", 0.5}}));
 }
 
+/// Messages of canboat's pgn-below-range-min.in, which it reads as `"Roll":-3.1416` alone and as
+/// `"Current":-3276.8`. An angle ends at pi; the range of the current only leaves its lowest number
+/// out.
+TEST(DecodeByPgns, AnAngleBelowItsRangeIsNoValue) {
+  const std::string angle =
+      R"("FieldType": "NUMBER", "BitLength": 16, "Resolution": 0.0001, "Signed": true, )"
+      R"("RangeMin": -3.1415926, "RangeMax": 3.1415926})";
+  const TemporaryFile table(
+      R"({"PGNs": [{"PGN": 127257, "Id": "attitude", "Type": "Single", "Fields": [)"
+      R"({"Id": "sid", "FieldType": "NUMBER", "BitLength": 8}, {"Id": "yaw", )" +
+      angle + R"(, {"Id": "pitch", )" + angle + R"(, {"Id": "roll", )" + angle +
+      R"(]}, {"PGN": 127508, "Id": "battery", "Type": "Single", "Fields": [)"
+      R"({"Id": "instance", "FieldType": "NUMBER", "BitLength": 8},)"
+      R"({"Id": "voltage", "FieldType": "NUMBER", "BitLength": 16, "Resolution": 0.01, "Signed": true},)"
+      R"({"Id": "current", "FieldType": "NUMBER", "BitLength": 16, "Resolution": 0.1, "Signed": true,)"
+      R"( "RangeMin": -3276.7, "RangeMax": 3276.4}]}]})");
+  const TemporaryFile log(
+      "(1.0) can0 0DF11902#01008047854885FF\n(1.1) can0 19F21403#00E2040080FFFFFF\n");
+  const auto lines = by_pgns(table.path(), log.path()).lines();
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].at("fields"),
+            (json{{"sid", 1}, {"yaw", nullptr}, {"pitch", nullptr}, {"roll", -3.1416}}));
+  EXPECT_EQ(lines[1].at("fields").at("current"), -3276.8);
+}
+
 /// canboat reads 2013.03.01 and 19:28:16.0000.
 TEST(DecodeByPgns, DatesAreDaysAndTimesSecondsOfTheDay) {
   EXPECT_EQ(fields_of("systemTime"), (json{{"sid", 1},

@@ -65,6 +65,24 @@ TEST(Replay, ACaptureGoesThroughTheDriverAndKeepsItsTimes) {
   EXPECT_THAT(result.err, HasSubstr("1 line or block not understood: 2"));
 }
 
+/// No format tells the rate of the bus. The same bits take twice the time at half the rate.
+TEST(Replay, TheTimeOfAFrameOnTheBusIsThatOfTheRateThatIsTold) {
+  const TemporaryFile file(log);
+  const auto age_us = [&](unsigned bitrate, unsigned of_a_rig = 250'000) {
+    ReplayOptions options = options_for(file);
+    options.bitrate = bitrate;
+    options.driver.emplace().bitrate = of_a_rig;
+    const auto lines = run_replay(options).lines();
+    return (lines.at(0)["received_at_s"].get<double>() - lines.at(0)["valid_at_s"].get<double>()) *
+           1e6;
+  };
+  const double at_250k = age_us(0);
+  EXPECT_NEAR(at_250k, 4 * 140, 4 * 14);  // 125 bits and some stuff bits
+  EXPECT_NEAR(age_us(500'000), at_250k / 2, 0.5);
+  EXPECT_NEAR(age_us(0, 500'000), at_250k / 2, 0.5) << "the rig's rate";
+  EXPECT_NEAR(age_us(1'000'000, 500'000), at_250k / 4, 0.5) << "what is told comes first";
+}
+
 /// The first ensemble of the file claims 4096 bytes more than it has, and the file ends before
 /// them.
 TEST(Replay, TheEndOfAFileGivesTheEnsemblesBehindADamagedLength) {

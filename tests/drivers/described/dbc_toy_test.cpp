@@ -42,6 +42,19 @@ fields = [
 ])";
   }
   ~DbcToy() override { fs::remove_all(folder_); }
+  /// The problems of the description with one message of so many bytes, and what the file says of
+  /// its format.
+  std::string problems_with(unsigned bytes, const std::string& format) const {
+    std::ofstream(folder_ / "toy.dbc") << "BU_: s\nBO_ 256 state: " << bytes
+                                       << " s\n SG_ pressure : 0|16@1+ (1,0) [0|0] \"kPa\" s\n"
+                                       << format;
+    std::ofstream(folder_ / "toy.toml")
+        << "[sensor]\ntitle = \"t\"\nkind = \"depth\"\n[protocol]\ndbc = \"toy.dbc\"\n"
+           "[[protocol.frames]]\nmessage = \"state\"\n"
+           "fields = [{signal = \"pressure\", field = \"pressure_pa\"}]\n";
+    const auto loaded = rig_config::load_description((folder_ / "toy.toml").string());
+    return loaded ? "" : to_string(loaded.error().front());
+  }
   DescriptionPtr toy() const {
     auto loaded = rig_config::load_description((folder_ / "toy.toml").string());
     EXPECT_TRUE(loaded) << (loaded ? "" : to_string(loaded.error().front()));
@@ -61,6 +74,19 @@ TEST_F(DbcToy, TwoPagesOfAMultiplexedMessageAreOneSample) {
   ASSERT_EQ(bus.all.size(), 1u);
   EXPECT_NEAR(*bus.last<DepthSample>().pressure_pa, 201'300, 1e-6);
   EXPECT_NEAR(*bus.last<DepthSample>().temperature_k, 271.65, 1e-9);
+}
+
+/// Vector's numbers of VFrameFormat: 14 is StandardCAN_FD.
+TEST_F(DbcToy, AMessageThatIsTooLongForAFrameIsToldHowTheFileSaysCanFd) {
+  EXPECT_NE(problems_with(32, "").find("has 32 bytes, allowed: up to 8, which one frame holds; of "
+                                       "a frame of CAN FD the DBC file says so: attribute "
+                                       "VFrameFormat, 14 (StandardCAN_FD) or 15 (ExtendedCAN_FD)"),
+            std::string::npos);
+  EXPECT_EQ(problems_with(32,
+                          "BA_DEF_ BO_ \"VFrameFormat\" INT 0 15;\n"
+                          "BA_DEF_DEF_ \"VFrameFormat\" 0;\n"
+                          "BA_ \"VFrameFormat\" BO_ 256 14;\n"),
+            "");
 }
 
 TEST_F(DbcToy, ADamagedAndAShortFrameAreCountedAndNoValue) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "drivers/survey/byte_survey.hpp"
+#include "rig_config/fault_vocabulary.hpp"
 #include "tests/drivers/described/driven.hpp"
 #include "tests/drivers/device/allocation_count.hpp"
 

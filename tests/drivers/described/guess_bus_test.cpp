@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "drivers/survey/bus_guess.hpp"
@@ -48,6 +49,27 @@ TEST(GuessedBus, IsADbcFileThatReadsTheNumbersAgain) {
   wire::dbc::Plan(message).decode(payload, values);
   EXPECT_EQ(values[0].physical, -200);
   EXPECT_EQ(values[1].physical, 3);
+}
+
+/// VFrameFormat: 0 StandardCAN, 1 ExtendedCAN, 14 StandardCAN_FD, 15 ExtendedCAN_FD.
+TEST(GuessedBus, SaysOfWhichFormatItsFramesAre) {
+  for (const bool extended : {false, true})
+    for (const bool fd : {false, true}) {
+      survey::BusGuess guess;
+      for (int i = 0; i < 20; ++i) {
+        wire::CanFrame frame;
+        frame.id = 0x123;
+        frame.extended = extended;
+        frame.fd = fd;
+        frame.size = 8;
+        frame.data[0] = static_cast<std::uint8_t>(7 * i);
+        guess.take(frame, 10ms * i);
+      }
+      const std::string value =
+          fmt::format("BA_ \"VFrameFormat\" BO_ {} {};", extended ? 0x80000123U : 0x123U,
+                      (fd ? 14 : 0) + (extended ? 1 : 0));
+      EXPECT_EQ(guess.dbc().find(value) != std::string::npos, extended || fd) << value;
+    }
 }
 
 TEST(GuessedBus, WithoutFramesGivesNothing) { EXPECT_EQ(survey::BusGuess().dbc(), ""); }

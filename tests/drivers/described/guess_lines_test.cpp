@@ -72,6 +72,19 @@ TEST(GuessedNumbers, BehindZeroXAreHexadecimal) {
   EXPECT_EQ(problems_of(guess), "");
 }
 
+/// ISO 8601: the hour stands behind a T, and a capture of a few minutes has only one.
+TEST(GuessedNumbers, OfATimeAreColumnsThoughTheHourNeverChanged) {
+  const auto guess = survey::guess_description(as_bytes(lines_of(
+      40, [](int i) { return fmt::format("2014-08-01T00:{:02}:05Z,{:.1f}", i, 10 + 0.3 * i); })));
+  ASSERT_EQ(problems_of(guess), "") << guess;
+  const auto description = described(guess);
+  Record line;
+  EXPECT_EQ(
+      wire::described::decode(description->plan, as_bytes("2014-08-01T01:02:05Z,13.5\r\n"), line),
+      Decoded::message)
+      << guess;
+}
+
 /// Every line of `count` is a message of the description that is guessed from them.
 void expect_all_described(const std::string& lines, int count) {
   const auto guess = survey::guess_description(as_bytes(lines));

@@ -108,6 +108,53 @@ TEST(SourceFilter, ASpareUnitThatHasSpokenIsNotLeftForTheFirstOne) {
   EXPECT_FALSE(filter.accepts(36, now + 5min));
 }
 
+TEST(SourceFilter, ANameThatWasClaimedBeforeTheSensorWasChosenIsFollowed) {
+  for (const bool thief_first : {false, true}) {
+    SourceFilter filter(0);
+    filter.claimed(40, 0xABC, now);
+    filter.claimed(41, 0xDEF, now);  // another node of the bus
+    EXPECT_TRUE(filter.accepts(40, now + 1s));
+    if (thief_first) filter.claimed(40, 0x001, now + 2s);
+    filter.claimed(50, 0xABC, now + 2s);
+    if (!thief_first) filter.claimed(40, 0x001, now + 2s);
+    EXPECT_FALSE(filter.accepts(40, now + 3s));
+    EXPECT_FALSE(filter.accepts(41, now + 3s));
+    EXPECT_TRUE(filter.accepts(50, now + 3s));
+  }
+}
+
+TEST(SourceFilter, ANodeThatMovedBeforeTheSensorWasChosenHasLeftItsAddress) {
+  SourceFilter filter(0);
+  filter.claimed(40, 0xABC, now);
+  filter.claimed(50, 0xABC, now);
+  EXPECT_TRUE(filter.accepts(40, now + 1s)) << "a unit whose NAME nobody heard";
+  filter.claimed(51, 0xABC, now + 2s);
+  EXPECT_TRUE(filter.accepts(40, now + 3s)) << "the move of another";
+}
+
+TEST(SourceFilter, TheSuccessorOfASilentSensorHasTheNameThatItClaimedBefore) {
+  SourceFilter filter(0);
+  filter.claimed(40, 0xABC, now);
+  filter.claimed(41, 0xDEF, now);
+  EXPECT_TRUE(filter.accepts(40, now));
+  EXPECT_TRUE(filter.accepts(41, now + 31s));
+  filter.claimed(41, 0x001, now + 32s);
+  filter.claimed(60, 0xDEF, now + 32s);
+  EXPECT_FALSE(filter.accepts(41, now + 33s));
+  EXPECT_TRUE(filter.accepts(60, now + 33s));
+}
+
+TEST(SourceFilter, AThiefThatRepeatsItsClaimIsNotTakenForTheSensorThatComesBack) {
+  SourceFilter filter(0);
+  filter.claimed(128, 0xABC, now);
+  filter.accepts(128, now);
+  for (int i = 1; i < 40; ++i) filter.claimed(128, 0x001, now + i * 10s);  // it answers requests
+  EXPECT_TRUE(filter.accepts(128, now + 8min));
+  filter.claimed(129, 0xABC, now + 9min);
+  EXPECT_TRUE(filter.accepts(129, now + 9min));
+  EXPECT_FALSE(filter.accepts(128, now + 9min));
+}
+
 TEST(SourceFilter, OneThatCanClaimNoAddressIsHeardNoMore) {
   SourceFilter filter(35);
   filter.claimed(35, 0xABC, now);

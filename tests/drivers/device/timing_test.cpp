@@ -100,5 +100,21 @@ TEST(Timing, AFrameOfRunsTakesItsStuffBitsToo) {
             at_s(1) - 144 * nanoseconds{4000});
 }
 
+/// ISO 11898-1, 64 bytes and 11 bits at 500 kbit/s and 2 Mbit/s. Slow: 17 bits and 4 stuff bits, 1
+/// delimiter, 2 of the acknowledgement, 7 of the end. Fast: 5 and 512 bits, 32 of CRC and stuff
+/// count with their fixed stuff bits, and 129 stuff bits.
+TEST(Timing, TheDataPhaseOfACanFdFrameHasItsOwnRate) {
+  wire::CanFrame frame;
+  frame.id = 0x123;
+  frame.fd = frame.bit_rate_switch = true;
+  frame.size = 64;
+  DriverOptions o = options(Kind::depth, "nmea2000");
+  o.bitrate = 500'000;
+  o.data_bitrate = 2'000'000;
+  EXPECT_EQ(Timing(o).line_time(frame), 31 * nanoseconds{2000} + 678 * nanoseconds{500});
+  frame.bit_rate_switch = false;
+  EXPECT_EQ(Timing(o).line_time(frame), (31 + 678) * nanoseconds{2000});
+}
+
 }  // namespace timing_test
 }  // namespace drydock::device::test

@@ -31,6 +31,9 @@ TEST(CanOpen, DecodesThem) {
   EXPECT_EQ(nmt->node, 5);
   EXPECT_EQ(decode_heartbeat(frame("705#7F"))->state, NodeState::pre_operational);
   EXPECT_EQ(decode_heartbeat(frame("705#04"))->node, 5);
+  EXPECT_EQ(decode_heartbeat(frame("705#85"))->state, NodeState::operational)
+      << "an answer to node guarding with its toggle bit";
+  EXPECT_FALSE(decode_heartbeat(frame("705#80")));
   EXPECT_EQ(decode_emergency(frame("085#0010810102030405"))->code, 0x1000);
   EXPECT_TRUE(is_sync(frame("080#")));
 }

@@ -17,8 +17,9 @@ std::vector<CanFrame> frames_for(const j1939::Identifier& id, std::uint8_t seque
   return frames;
 }
 
-void hear(FastPacketAssembler& assembler, const CanFrame& frame) {
-  assembler.receive(j1939::parse_identifier(frame.id), frame.payload());
+void hear(FastPacketAssembler& assembler, const CanFrame& frame,
+          std::chrono::nanoseconds now = {}) {
+  assembler.receive(j1939::parse_identifier(frame.id), frame.payload(), now);
 }
 
 TEST(CutFastPackets, AMessageWithoutItsFirstFrameIsCountedOnce) {
@@ -46,6 +47,50 @@ TEST(CutFastPackets, TheRestOfALostMessageAndADuplicateAreNoOtherMessage) {
   for (const auto& frame : frames) hear(assembler, frame);
   EXPECT_EQ(assembler.counters().dropped, 1u);
   EXPECT_EQ(assembler.counters().headless, 0u);
+}
+
+TEST(CutFastPackets, AFrameThatComesMoreThan750MsAfterTheOneBeforeIsOfAnotherMessage) {
+  using namespace std::chrono_literals;
+  const auto frames = frames_for(position, 0, std::vector<std::uint8_t>(20, 0x11));
+  for (const auto pause : {750ms, 751ms}) {
+    FastPacketAssembler assembler;
+    Nmea2000::Decoder decoder;
+    auto now = 1s + 0ms;
+    for (const auto& frame : frames) {
+      hear(assembler, frame, now);
+      decoder.receive(frame, now);
+      now += pause;
+    }
+    const bool late = pause > 750ms;
+    EXPECT_EQ(assembler.counters().messages, late ? 0u : 1u);
+    EXPECT_EQ(assembler.counters().dropped, late ? 1u : 0u);
+    EXPECT_EQ(assembler.counters().headless, 0u) << "its rest is no other message";
+    EXPECT_EQ(decoder.counters().bad_checksums, 1u) << "dropped, or no position of 20 bytes";
+  }
+}
+
+TEST(CutFastPackets, AFrameThatComesTwiceInARowIsTakenOnce) {
+  const auto frames = frames_for(position, 0, std::vector<std::uint8_t>(43, 0x11));
+  for (std::size_t twice = 0; twice < frames.size(); ++twice) {
+    FastPacketAssembler assembler;
+    for (std::size_t i = 0; i < frames.size(); ++i)
+      for (std::size_t n = 0; n < (i == twice ? 2u : 1u); ++n) hear(assembler, frames[i]);
+    EXPECT_EQ(assembler.counters().messages, 1u) << twice;
+    EXPECT_EQ(assembler.counters().dropped + assembler.counters().headless, 0u) << twice;
+  }
+}
+
+TEST(CutFastPackets, AMessageWhoseFramesChangedPlacesIsLostOnce) {
+  for (std::size_t at = 0; at + 1 < 7; ++at) {
+    auto frames = frames_for(position, 0, std::vector<std::uint8_t>(43, 0x11));
+    std::swap(frames[at], frames[at + 1]);
+    FastPacketAssembler assembler;
+    for (const auto& frame : frames) hear(assembler, frame);
+    const auto& counters = assembler.counters();
+    EXPECT_EQ(counters.messages, 0u) << at;
+    EXPECT_EQ(counters.dropped + counters.headless + assembler.unfinished(), at == 0 ? 2u : 1u)
+        << at << ": only the first frame tells where a message begins";
+  }
 }
 
 TEST(CutFastPackets, AMessageThatWaitsForItsEndIsUnfinished) {

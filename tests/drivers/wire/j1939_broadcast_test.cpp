@@ -110,6 +110,42 @@ TEST(Transport, AnAnnouncementIsForgotten750MsAfterItsLastPacket) {
   EXPECT_TRUE(ear.said.empty());  // a lost broadcast is not reported to anybody
 }
 
+TEST(Transport, AListenerWithoutTicksForgetsItTooAndTellsTheNextMessageFromIt) {
+  Listener ear;
+  const auto old_frames = broadcast(1, 65240, Data(14, 0x11));
+  const auto new_frames = broadcast(1, 65240, Data(14, 0x22));
+  ear.hear(old_frames[0], 1s);
+  ear.hear(old_frames[1], 1050ms);
+  ear.hear(new_frames[2], 3601s);
+  EXPECT_TRUE(ear.messages.empty());
+  EXPECT_EQ(ear.receiver.counters().dropped, 1U);
+  for (std::size_t i = 0; i < new_frames.size(); ++i)
+    ear.hear(new_frames[i], 3602s + 750ms * static_cast<int>(i));  // T1 of J1939-21
+  ASSERT_EQ(ear.messages.size(), 1U);
+  EXPECT_EQ(ear.messages[0].data, Data(14, 0x22));
+}
+
+TEST(Transport, APacketOfABroadcastThatIsHeardTwiceIsTakenOnce) {
+  Listener ear;
+  const auto frames = broadcast(1, 65240, counting(21));
+  for (const auto& f : frames) {
+    ear.hear(f);
+    if (&f != &frames.front()) ear.hear(f);
+  }
+  ASSERT_EQ(ear.messages.size(), 1U);
+  EXPECT_EQ(ear.messages[0].data, counting(21));
+  EXPECT_EQ(ear.receiver.counters().dropped + ear.receiver.counters().headless, 0U);
+}
+
+TEST(Transport, ABroadcastWhosePacketsChangedPlacesIsLostOnce) {
+  Listener ear;
+  auto frames = broadcast(1, 65240, counting(28));
+  std::swap(frames[2], frames[3]);
+  for (const auto& f : frames) ear.hear(f);
+  EXPECT_TRUE(ear.messages.empty());
+  EXPECT_EQ(ear.receiver.counters().dropped + ear.receiver.counters().headless, 1U);
+}
+
 TEST(Transport, ANewAnnouncementIsNeverGluedOntoAStaleBody) {
   Listener ear;
   const auto old_frames = broadcast(1, 65240, Data(21, 0x11));

@@ -44,6 +44,12 @@ TEST(Nmea2000, AnOffsetOfMinusOneMillimetreIsANumber) {
   EXPECT_DOUBLE_EQ(*depth.offset_m, -0.001);
 }
 
+/// canboat's database has -pi to pi. Its pgn-below-range-min.in sends 8000h.
+TEST(Nmea2000, AYawBelowHalfATurnIsNoValue) {
+  EXPECT_FALSE((only<Attitude, Nmea2000>({frame("0DF11902#01008047854885FF")}).yaw_rad));
+  EXPECT_EQ((only<Attitude, Nmea2000>({frame("0DF11902#01488547854885FF")}).yaw_rad), -3.1416);
+}
+
 /// The three highest values of a field are not numbers; the value below them is the largest number.
 template <class Raw>
 void expect_three_sentinels(const std::string& id, std::size_t offset, const std::string& key) {

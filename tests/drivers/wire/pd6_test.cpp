@@ -75,6 +75,14 @@ TEST(Pd6, WithoutLockThereIsNoVelocity) {
   EXPECT_EQ(three_beams.velocity_mps, (DvlComponents{0.249, 1.499, -0.039, {}}));
 }
 
+/// A NavQuest says I where Teledyne's guide has V.
+TEST(Pd6, AnInvalidVelocityMayBeCalledSo) {
+  const auto reading = read_stream<Pd6>(as_bytes(":WI,+00000,+00000,+00000,+00000,I\r\n"));
+  ASSERT_EQ((reading.all<Pd6Velocity<'W', 'I'>>().size()), 1u);
+  EXPECT_FALSE((reading.all<Pd6Velocity<'W', 'I'>>()[0].good));
+  EXPECT_EQ((reading.all<Pd6Velocity<'W', 'I'>>()[0].velocity_mps), DvlComponents{});
+}
+
 TEST(Pd6, ALineThatIsNotAsDocumentedIsDamaged) {
   for (const char* line :
        {":BI,  +123,  -420, +2000,    +0\r\n",                  // no status

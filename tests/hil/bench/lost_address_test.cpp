@@ -16,8 +16,11 @@ namespace {
 using namespace drydock;
 
 /// The times at which messages of a device arrived, seconds from the start.
-std::vector<double> arrivals(const std::string& faults, std::string_view device) {
+std::vector<double> arrivals(const std::string& faults, std::string_view device,
+                             bool with_address = true) {
   auto rig = rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/soak.toml").value();
+  for (auto& one : rig.devices)
+    if (!with_address && one.name == device) one.address = 0;
   rig.faults = rig_config::load_faults_text(faults, "test").value();
   EXPECT_THAT(rig_config::check_faults_of(rig), ::testing::IsEmpty());
   std::vector<double> at_s;
@@ -57,6 +60,17 @@ TEST_P(EachSensor, IsFoundAgainWhoseAddressWasTakenWhileTheDriverWasBusOff) {
   const auto [from_s, to_s] = longest_silence(at_s);
   EXPECT_NEAR(from_s, 20, 0.51) << "of 2 Hz";
   EXPECT_NEAR(to_s, from_s + 10, 0.51) << "asked for when it was silent for 10 s";
+  EXPECT_GT(at_s.back(), 59);
+}
+
+TEST_P(EachSensor, IsFollowedAtOnceIfTheRigStatesNoAddress) {
+  const std::string name = GetParam();
+  const auto at_s = arrivals("[[fault]]\ndevice = \"" + name +
+                                 "\"\nfault = \"address-stolen\"\nstart_s = 20\nfor_s = 60\n",
+                             name, false);
+  ASSERT_GT(at_s.size(), 90u);
+  const auto [from_s, to_s] = longest_silence(at_s);
+  EXPECT_LT(to_s - from_s, 1.1) << "of 2 Hz; while it claims, for 250 ms, it is silent";
   EXPECT_GT(at_s.back(), 59);
 }
 

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "drivers/wire/j1939/aceinna.hpp"
 #include "drivers/wire/j1939/j1939.hpp"
+#include "hil/emulate/can/j1939_node.hpp"
 #include "rig_config/fault_vocabulary.hpp"
 #include "tests/hil/fault/faults.hpp"
 
@@ -99,6 +101,39 @@ TEST(RogueNode, TakesTheDevicesAddressWithALowerNameAndDefendsIt) {
   bench.run(2s, 3s);
   bench.node->receive(wire::j1939::encode(of_device), start + 2500ms, bench.bus);
   EXPECT_EQ(bench.bus.frames.size(), 2u) << "it has gone";
+}
+
+TEST(RogueNode, TakesTheAddressThatTheDeviceClaimedIfTheRigStatesNone) {
+  for (const std::uint8_t address : {0x23, 0x80}) {
+    Bench bench(second_to_second(FaultKind::address_stolen));
+    bench.device.address = 0;
+    bench.run(0s, 500ms);
+    auto name = emulate::name_for(bench.device, 130, 75);
+    const wire::j1939::AddressClaimed other{.source = 50, .name = 0x1234};
+    const wire::j1939::AddressClaimed of_device{.source = address,
+                                                .name = wire::j1939::to_value(name)};
+    const wire::j1939::AddressClaimed gone{.source = 254, .name = of_device.name};
+    for (const auto& claim : {of_device, other, gone})
+      bench.node->receive(wire::j1939::encode(claim), start + 250ms, bench.bus);
+    EXPECT_TRUE(bench.bus.frames.empty());
+    bench.run(500ms, 2s - 1ns);
+    ASSERT_EQ(bench.bus.frames.size(), 1u);
+    EXPECT_EQ(bench.bus.frames[0].id, 0x18EE'FF00u | address);
+  }
+}
+
+TEST(RogueNode, WaitsForTheFirstClaimOfADeviceWithoutAnAddress) {
+  Bench bench(second_to_second(FaultKind::address_stolen));
+  bench.device.address = 0;
+  bench.device.protocol = wire::Aceinna::name;
+  bench.run(0s, 1500ms);
+  EXPECT_TRUE(bench.bus.frames.empty()) << "it does not take address 0";
+  const auto name = wire::aceinna::to_value(emulate::name_for(bench.device, 131, 0));
+  bench.node->receive(
+      wire::j1939::encode(wire::j1939::AddressClaimed{.source = 0x80, .name = name}),
+      start + 1600ms, bench.bus);
+  ASSERT_EQ(bench.bus.frames.size(), 1u);
+  EXPECT_EQ(bench.bus.frames[0].id, 0x18EE'FF80u);
 }
 
 }  // namespace rogue_node_test
