@@ -39,7 +39,8 @@ class Follower : public shell::RawListener, public device::Listener {
   void on_state(const device::Device&, const device::Transition&) override {}
   virtual void on_estimate(const Estimate&) {}
   virtual void on_innovation(const bus::Innovation&) {}
-  /// The truth of an emulated vehicle comes before an estimate of its time, at most once in 40 ms.
+  /// The truth of an emulated vehicle comes before an estimate of its time, at most once in 40 ms,
+  /// and between estimates as often.
   virtual void on_truth(const Estimate&) {}
   virtual void on_health(const HealthReport&, Stamp /*now*/) {}  ///< once a second
   /// Called when the faults in force change. `faults` holds all faults that are in force now.

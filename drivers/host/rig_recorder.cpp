@@ -14,6 +14,7 @@
 #include "drivers/link/uri.hpp"
 #include "drivers/recordings/record/part_files.hpp"
 #include "drivers/wire/protocols.hpp"
+#include "rig_config/estimator_name.hpp"
 
 namespace drydock::host {
 
@@ -78,7 +79,8 @@ record::RecorderOptions recorder_options(const rig_config::Rig& rig, measurement
   options.devices = bus_devices(rig);
   options.estimators = estimator_names(rig);
   options.navigators = navigator_names(rig);
-  for (auto* names : {&options.estimators, &options.navigators}) names->push_back("truth");
+  for (auto* names : {&options.estimators, &options.navigators})
+    names->emplace_back(rig_config::name_of_truth);
   options.innovations = innovation_sources(rig);
   options.versions = {{"drydock", DRYDOCK_VERSION}, {"rig", rig.name}};
   options.attachments =

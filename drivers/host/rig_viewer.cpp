@@ -9,13 +9,14 @@
 #include "drivers/host/serve_address.hpp"
 #include "drivers/live/foxglove/access.hpp"
 #include "drivers/live/page_files.hpp"
+#include "rig_config/estimator_name.hpp"
 
 namespace drydock::host {
 
 namespace {
 
 std::vector<std::string> with_truth(std::vector<std::string> names) {
-  names.push_back("truth");
+  names.emplace_back(rig_config::name_of_truth);
   return names;
 }
 

@@ -29,6 +29,19 @@ std::string_view key_before(std::string_view text) {
   return begin == text.npos ? "a value" : text.substr(begin + 1, end - begin - 1);
 }
 
+/// A number that no double can hold: "1e999, which is beyond every double", or empty.
+std::string beyond_double_in(std::string_view line) try {
+  const nlohmann::json whole = nlohmann::json::parse(line);
+  return {};
+} catch (const nlohmann::json::out_of_range& error) {
+  const std::string_view what = error.what();
+  const auto begin = what.find('\''), end = what.rfind('\'');
+  const auto number = begin < end ? what.substr(begin + 1, end - begin - 1) : "a number";
+  return fmt::format("{}, which is beyond every number here: an infinity", text::printable(number));
+} catch (const nlohmann::json::exception&) {
+  return {};
+}
+
 /// JSON knows neither NaN nor infinity, but many writers of JSON do. "roll_deg: NaN", or empty.
 std::string not_finite_in(std::string_view line) {
   for (const std::string_view word : {"NaN", "nan", "Infinity", "infinity", "inf"})
@@ -58,7 +71,10 @@ Answer read_answer(std::string_view line, Gives gives) {
   Answer answer;
   const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
   const std::string not_finite = json.is_discarded() ? not_finite_in(line) : std::string{};
-  if (!not_finite.empty()) {
+  const std::string beyond = json.is_discarded() ? beyond_double_in(line) : std::string{};
+  if (!beyond.empty()) {
+    flawed(answer, Flaw::not_finite, beyond);
+  } else if (!not_finite.empty()) {
     flawed(answer, Flaw::not_finite, not_finite + ", which JSON does not have");
   } else if (json.is_discarded()) {
     flawed(answer, Flaw::malformed, quoted(line) + ", which is not JSON");

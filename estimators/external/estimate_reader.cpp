@@ -1,11 +1,16 @@
 #include "estimators/external/estimate_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "drivers/measurement/covariance.hpp"
 #include "drivers/measurement/units.hpp"
+#include "drivers/text/printable.hpp"
 
 namespace drydock::external {
 
@@ -16,6 +21,22 @@ using Flaw = Answer::Flaw;
 namespace {
 
 constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+
+constexpr std::array<std::string_view, 15> keys{"valid_at_ns",
+                                                "roll_deg",
+                                                "pitch_deg",
+                                                "heading_deg",
+                                                "latitude_deg",
+                                                "longitude_deg",
+                                                "height_m",
+                                                "velocity_ned_mps",
+                                                "attitude_sigma_deg",
+                                                "position_sigma_m",
+                                                "velocity_sigma_mps",
+                                                "attitude_covariance_deg2",
+                                                "position_covariance_m2",
+                                                "velocity_covariance_m2ps2",
+                                                "valid"};
 
 }  // namespace
 
@@ -80,13 +101,19 @@ Matrix3d EstimateReader::squares(const char* key) {
   return sigmas.cwiseAbs2().asDiagonal();
 }
 
-/// Three standard deviations, or nine numbers row by row.
+/// Three standard deviations, or nine numbers row by row; both, if they say the same.
 std::optional<Matrix3d> EstimateReader::covariance(const char* sigma, const char* full,
                                                    double unit) {
   if (!has(sigma) && !has(full)) return {};
-  const Matrix3d read = has(sigma) ? squares(sigma) : nine(full);
-  if (!is_covariance(read))
-    fail(Flaw::malformed, fmt::format("{} that is no covariance", has(sigma) ? sigma : full));
+  const Matrix3d read = has(full) ? nine(full) : squares(sigma);
+  if (has(sigma) && has(full)) {
+    const Eigen::Array3d stated = squares(sigma).diagonal();
+    if (!((read.diagonal().array() - stated).abs() <= 1e-6 * stated).all())
+      fail(Flaw::malformed, fmt::format("{} and {} that disagree", sigma, full));
+  }
+  if (const char* flaw = measurement::covariance_flaw(read))
+    fail(Flaw::malformed,
+         fmt::format("{} that is no covariance: it {}", has(full) ? full : sigma, flaw));
   return read * unit * unit;
 }
 
@@ -117,6 +144,14 @@ Values EstimateReader::values() {
   return values;
 }
 
+/// A key that is not read was meant to say something.
+void EstimateReader::must_know_its_keys() {
+  for (const auto& [key, value] : estimate_.items())
+    if (std::ranges::find(keys, key) == keys.end())
+      fail(Flaw::malformed,
+           fmt::format("the key {}, allowed: {}", text::printable(key), fmt::join(keys, ", ")));
+}
+
 void EstimateReader::must_give(const Values& values) {
   if (gives_ == Gives::attitude && !values.roll_pitch_heading_rad)
     fail(Flaw::malformed, "an estimate without roll_deg and pitch_deg");
@@ -134,6 +169,7 @@ pipeline::OutsideEstimate EstimateReader::read() {
   }
   const Values read = values();
   must_give(read);
+  must_know_its_keys();
   return flaw_ == Flaw::none ? estimate_of(read, gives_) : pipeline::OutsideEstimate{};
 }
 

@@ -34,6 +34,7 @@ class EstimateReader {
   std::optional<frame::Position> position();
   Values values();
   void must_give(const Values& values);
+  void must_know_its_keys();
 
   const nlohmann::json& estimate_;
   Gives gives_;

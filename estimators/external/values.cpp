@@ -84,13 +84,4 @@ void set_bounds(pipeline::NavigationEstimate& estimate) {
   if (std::isfinite(horizontal)) integrity.horizontal_bound_m = bound(horizontal);
 }
 
-bool is_covariance(const Matrix3d& matrix) {
-  if (!matrix.allFinite() || (matrix.diagonal().array() < 0).any()) return false;
-  constexpr double rounding = 1 + 1e-9;
-  for (Eigen::Index i = 0; i < 3; ++i)
-    for (Eigen::Index k = 0; k < i; ++k)
-      if (std::abs(matrix(i, k)) > rounding * std::sqrt(matrix(i, i) * matrix(k, k))) return false;
-  return true;
-}
-
 }  // namespace drydock::external

@@ -25,7 +25,4 @@ pipeline::OutsideEstimate estimate_of(const Values& values, Gives gives);
 /// From its covariance; what is not known has no bound, or an infinite one.
 void set_bounds(pipeline::NavigationEstimate& estimate);
 
-/// True if the matrix is finite and can be a covariance.
-bool is_covariance(const Eigen::Matrix3d& matrix);
-
 }  // namespace drydock::external

@@ -17,6 +17,9 @@ namespace drydock::bench {
 
 using measurement::Stamp;
 
+/// A sensor's measurement comes at most so long after its time.
+constexpr double longest_delay_s = 1;
+
 RigRun::RigRun(const rig_config::Rig& rig, const RunOptions& options,
                const motion::Trajectory& motion, const Setting& setting)
     : rig_(rig),
@@ -33,7 +36,11 @@ RigRun::RigRun(const rig_config::Rig& rig, const RunOptions& options,
   followers_.add(findings_);
   followers_.add(scribe_);
   followers_.add(expects_);
-  if (truth_ != nullptr) followers_.add(truth_teller_.emplace(*truth_, followers_));
+  if (truth_ != nullptr && !(rig.estimators.empty() && !summary::no_real_device(rig)))
+    followers_.add(truth_teller_.emplace(
+        *truth_, followers_, setting.start,
+        measurement::from_seconds(
+            rig.estimators.empty() ? 0 : rig.reorder_window_s + longest_delay_s)));
   if (pilot::is_wanted(rig)) followers_.add(loop_.emplace(rig, motion, setting.start));
   if (!options.record.path.empty())
     followers_.add(recorder_.emplace(rig, options.record, setting.start, setting.when_behind));
@@ -103,6 +110,7 @@ void RigRun::write(summary::Summary& summary) {
   summary.seed = rig_.seed;
   std::ranges::move(setup::pipeline_notes(rig_, bench_->pipeline),
                     std::back_inserter(summary.notes));
+  if (truth_teller_) truth_teller_->finish(start_ + measurement::from_seconds(summary.duration_s));
   if (recorder_) summary.notes.push_back(recorder_->finish());
   if (recorder_ && recorder_->failed())
     summary.verdicts.push_back({"rig", "recording", summary.notes.back(), "complete"});

@@ -1,5 +1,7 @@
 #include "hil/bench/truth_teller.hpp"
 
+#include <algorithm>
+
 #include "estimators/host/bus_estimates.hpp"
 #include "hil/bench/truth_estimate.hpp"
 
@@ -15,7 +17,22 @@ constexpr std::chrono::milliseconds truth_interval{40};
 void TruthTeller::on_estimate(const host::Estimate& estimate) {
   const Stamp at = estimate.attitude.valid_at;
   if (at >= last_ && at - last_ < truth_interval) return;
+  if (origin_) fill(at);
   last_ = at;
+  tell(at);
+}
+
+/// Up to `end`, but not so near to it that the next truth would follow at once. Ticks leave no such
+/// hole, so a longer one is a step of the host's clock.
+void TruthTeller::fill(Stamp end) {
+  constexpr std::chrono::seconds longest_hole{10};
+  if (end - newest_ > longest_hole) newest_ = end;
+  for (Stamp at = newest_ + truth_interval; at < end - truth_interval / 2; at += truth_interval)
+    tell(at);
+}
+
+void TruthTeller::tell(Stamp at) {
+  newest_ = std::max(newest_, at);
   const auto truth = as_estimate(truth_.at(at));
   if (!origin_) origin_ = truth.position;
   to_.on_truth(host::bus_estimate(truth, *origin_));

@@ -31,8 +31,8 @@ void do_missing(const OpenCampaign& campaign, unsigned jobs, std::FILE* errors) 
   Journal journal(folder, "local");
   study::StudyProgress progress(errors);
   const auto done = run_here(campaign.config, missing, jobs, journal, progress);
-  progress.finish(campaign.config.name, done,
-                  {.runs = missing.size(), .seed = campaign.config.seed});
+  progress.finish(campaign.config.name, done, {.runs = runs, .seed = campaign.config.seed},
+                  runs - missing.size());
 }
 
 /// One run in a folder that stays, with what it gave.

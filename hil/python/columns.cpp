@@ -55,6 +55,11 @@ void Columns::end_sequence(std::string_view name, std::size_t count) {
   offsets.push_back(offsets.back() + static_cast<std::int64_t>(count));
 }
 
+void Columns::drop_rows() {
+  for (auto& column : columns_) std::visit([](auto& values) { values.clear(); }, column.values);
+  next_ = 0;
+}
+
 py::dict Columns::take() {
   py::dict arrays;
   for (auto& column : std::exchange(columns_, {}))

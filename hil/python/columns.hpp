@@ -77,6 +77,8 @@ class Columns {
   /// A row has `count` elements of this sequence.
   void end_sequence(std::string_view name, std::size_t count);
 
+  /// Keeps the columns, empty.
+  void drop_rows();
   /// The columns by name; the table is empty then. Needs the interpreter's lock, unlike the rest.
   py::dict take();
 

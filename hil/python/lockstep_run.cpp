@@ -6,12 +6,14 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "drivers/text/printable.hpp"
 #include "hil/bench/run.hpp"
 #include "hil/check/check_rig.hpp"
 #include "hil/fault/injector.hpp"
 #include "hil/motion/make_trajectory.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
 #include "hil/python/values.hpp"
+#include "rig_config/estimator_name.hpp"
 #include "rig_config/load.hpp"
 #include "rig_config/shipped.hpp"
 
@@ -29,6 +31,10 @@ void refuse(const rig_config::Problems& problems) {
 
 /// A function takes the place of an external estimator of its name, or stands beside the others.
 void seat(const EstimatorCallback& callback, Rig& rig) {
+  if (!rig_config::may_be_estimator(callback.name))
+    throw std::invalid_argument(fmt::format(
+        "an estimator is named \"{}\", allowed: a letter, then letters, digits, _; not truth",
+        text::printable(callback.name)));
   auto place = std::ranges::find(rig.estimators, callback.name, &rig_config::EstimatorConfig::name);
   if (place == rig.estimators.end())
     place = rig.estimators.insert(place, rig_config::EstimatorConfig{callback.name, {}, {}});

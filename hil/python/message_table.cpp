@@ -71,9 +71,7 @@ class MessageTable::Visitor {
   std::vector<double> row_;
 };
 
-MessageTable::MessageTable(const MessageNode* layout) : layout_(layout) {
-  if (layout_ != nullptr) name(*layout_, "");
-}
+MessageTable::MessageTable(const MessageNode& layout) : layout_(layout) { name(layout_, ""); }
 
 void MessageTable::name(const MessageNode& node, const std::string& path) {
   names_[&node] = path;
@@ -81,20 +79,13 @@ void MessageTable::name(const MessageNode& node, const std::string& path) {
     name(member, path.empty() ? member.name : path + "." + member.name);
 }
 
-bool MessageTable::add(const record::Understood& message) {
-  if (layout_ == nullptr) return false;
+std::string MessageTable::add(const record::Understood& message) {
   // A message that breaks off would leave columns of unequal lengths.
-  struct Nothing {
-    void value(const MessageNode&, std::size_t, mcap::Bytes) {}
-    void begin(const MessageNode&, std::size_t) {}
-    void end(const MessageNode&) {}
-    void enter(const MessageNode&, std::size_t) {}
-    void leave(const MessageNode&) {}
-  };
-  if (!record::visit_message(*layout_, message.cdr, Nothing{})) return false;
+  if (auto why = record::misfit(layout_, message.cdr); !why.empty()) return why;
   columns_.begin_row();
   columns_.field("log_time_ns", message.at.time_since_epoch().count());
-  return record::visit_message(*layout_, message.cdr, Visitor(*this));
+  record::visit_message(layout_, message.cdr, Visitor(*this));
+  return {};
 }
 
 }  // namespace drydock::python

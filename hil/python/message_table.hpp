@@ -12,18 +12,18 @@ namespace drydock::python {
 /// messages are `pose.position.x`; an array of numbers is a row.
 class MessageTable {
  public:
-  /// Null: the definition is not understood. It must outlive the table.
-  explicit MessageTable(const record::MessageNode* layout);
+  /// The layout must outlive the table.
+  explicit MessageTable(const record::MessageNode& layout);
 
-  /// False if the message does not fit the definition.
-  bool add(const record::Understood& message);
+  /// Why the message does not fit the definition; empty: it does.
+  std::string add(const record::Understood& message);
   py::dict take() { return columns_.take(); }
 
  private:
   class Visitor;
   void name(const record::MessageNode& node, const std::string& path);
 
-  const record::MessageNode* layout_;
+  const record::MessageNode& layout_;
   std::unordered_map<const record::MessageNode*, std::string> names_;
   Columns columns_;
 };

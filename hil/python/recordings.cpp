@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include "drivers/recordings/record/layouts.hpp"
 #include "drivers/recordings/record/player.hpp"
+#include "drivers/text/printable.hpp"
 #include "hil/python/measurement_tables.hpp"
 #include "hil/python/message_table.hpp"
 #include "hil/python/topics.hpp"
@@ -67,15 +69,15 @@ class Topics {
     const auto& topic = message.channel->topic;
     auto found = tables_.find(topic);
     if (found == tables_.end()) {
-      auto& layout = layouts_[topic] = record::parse_definition(message.schema->text);
-      found = tables_.emplace(topic, MessageTable(layout ? &*layout : nullptr)).first;
+      const record::Layout& layout = layouts_.of(message);
+      if (!layout) return unread_.add(topic, layout.error().line);
+      found = tables_.emplace(topic, MessageTable(*layout)).first;
     }
-    if (!found->second.add(message)) ++unread_[topic];
+    if (const auto why = found->second.add(message); !why.empty()) unread_.add(topic, why);
   }
 
   py::dict take() {
-    for (const auto& [topic, count] : unread_)
-      warn(fmt::format("{}: {} messages do not fit their definition", topic, count));
+    for (const auto& note : unread_.notes()) warn(text::printable(note));
     py::dict all;
     for (auto& [topic, table] : tables_)
       if (py::dict columns = table.take(); !columns.empty())
@@ -84,9 +86,9 @@ class Topics {
   }
 
  private:
-  std::map<std::string, std::optional<record::MessageNode>> layouts_;
+  record::Layouts layouts_;
   std::map<std::string, MessageTable> tables_;
-  std::map<std::string, std::uint64_t> unread_;
+  record::Unread unread_;
 };
 
 py::dict read_recording(const std::string& path, std::vector<std::string> only, Seconds from_s,

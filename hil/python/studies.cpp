@@ -63,6 +63,9 @@ py::dict dict_of(const report::Table& table) {
 
 py::dict run_study(const std::string& name, std::size_t runs, std::uint64_t seed, unsigned jobs,
                    std::vector<std::string> cases) {
+  constexpr std::size_t most_runs = 1'000'000;
+  if (runs < 1 || runs > most_runs)
+    throw std::invalid_argument(fmt::format("runs = {}, allowed: 1 to {}", runs, most_runs));
   study::Options options{.runs = runs, .seed = seed, .jobs = jobs, .cases = std::move(cases)};
   if (jobs == 0) options.jobs = std::max(1U, std::thread::hardware_concurrency());
   const auto& study = study_of(name, options);

@@ -2,6 +2,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -18,6 +19,9 @@ namespace {
 
 using measurement::Stamp;
 using Times = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Of a table without times: some gigabytes.
+constexpr double most_rows = 1e7;
 
 std::unique_ptr<motion::Trajectory> motion_of(const std::string& file, Stamp start) {
   const auto mission =
@@ -36,6 +40,9 @@ std::vector<double> every(double step_s, const motion::Trajectory& motion) {
   if (!(step_s > 0)) throw std::invalid_argument("every_s is not above 0");
   std::vector<double> times;
   const double lap_s = measurement::seconds(motion.end() - motion.start());
+  if (const double least_s = std::max(1e-9, lap_s / most_rows); !(step_s >= least_s))
+    throw std::invalid_argument(fmt::format(
+        "every_s is {}, allowed for this lap of {} s: {:.3g} and more", step_s, lap_s, least_s));
   for (std::size_t k = 0; static_cast<double>(k) * step_s <= lap_s; ++k)
     times.push_back(static_cast<double>(k) * step_s);
   return times;
@@ -43,6 +50,9 @@ std::vector<double> every(double step_s, const motion::Trajectory& motion) {
 
 py::dict truth(const std::string& mission, const std::optional<Times>& times_s, double every_s,
                std::int64_t start_ns) {
+  if (times_s && times_s->ndim() > 1)
+    throw std::invalid_argument(
+        fmt::format("times_s has {} dimensions, allowed: one, a row of times", times_s->ndim()));
   const std::span<const double> asked =
       times_s ? std::span(times_s->data(), static_cast<std::size_t>(times_s->size()))
               : std::span<const double>();
@@ -51,13 +61,18 @@ py::dict truth(const std::string& mission, const std::optional<Times>& times_s, 
   {
     const py::gil_scoped_release others_run;
     const auto motion = motion_of(mission, start);
+    const auto add = [&](double t) {
+      columns.begin_row();
+      visit_fields(motion->at(start + measurement::from_seconds(t)),
+                   [&](std::string_view name, const auto& value) { columns.field(name, value); });
+    };
+    add(0);  // for the columns of a table without times
+    columns.drop_rows();
     const auto lap = times_s ? std::vector<double>() : every(every_s, *motion);
     for (const double t : times_s ? asked : std::span<const double>(lap)) {
       if (!(std::abs(t) < 1e9))
         throw std::invalid_argument(fmt::format("times_s has {}, allowed: below 1e9 s", t));
-      columns.begin_row();
-      visit_fields(motion->at(start + measurement::from_seconds(t)),
-                   [&](std::string_view name, const auto& value) { columns.field(name, value); });
+      add(t);
     }
   }
   return columns.take();

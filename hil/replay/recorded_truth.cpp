@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include "drivers/measurement/units.hpp"
@@ -57,27 +58,35 @@ bus::Navigation navigation_of(const Values& v, measurement::Stamp at) {
 }  // namespace
 
 std::map<std::string, double> RecordedTruth::values(const record::Understood& message) {
-  const auto& type = message.schema->name;
-  if (!layouts_.contains(type))
-    layouts_[type] = record::parse_definition(message.schema->text).value_or(record::MessageNode{});
+  const record::Layout& layout = layouts_.of(message);
   Values all;
-  for (const auto& [name, value] : values_of(layouts_[type], message.cdr))
+  if (!layout) return all;
+  for (const auto& [name, value] : values_of(*layout, message.cdr))
     if (value.is_number()) all[name] = value.get<double>();
   return all;
 }
 
-/// For one time the truth comes as attitude, odometry, fix.
+/// A message of another program may have this topic and other fields: it is no truth.
 void RecordedTruth::hear(const record::Understood& message) {
   const auto& topic = message.channel->topic;
   if (!topic.starts_with("/estimate/truth")) return;
   const auto v = values(message);
   if (v.empty()) return;
+  try {
+    take(topic, v, message.at);
+  } catch (const std::out_of_range&) {  // of Values::at
+  }
+}
+
+/// For one time the truth comes as attitude, odometry, fix.
+void RecordedTruth::take(const std::string& topic, const Values& v, measurement::Stamp at) {
   if (topic == "/estimate/truth") {
+    const auto attitude = attitude_of(v, at);
     tell();
-    truth_.emplace().attitude = attitude_of(v, message.at);
+    truth_.emplace().attitude = attitude;
   } else if (topic == "/estimate/truth/odometry") {
-    navigation_ = navigation_of(v, message.at);
-  } else if (topic == "/estimate/truth/fix" && message.at == navigation_.valid_at && truth_) {
+    navigation_ = navigation_of(v, at);
+  } else if (topic == "/estimate/truth/fix" && at == navigation_.valid_at && truth_) {
     navigation_.latitude_rad = v.at("latitude") / units::degrees_per_radian;
     navigation_.longitude_rad = v.at("longitude") / units::degrees_per_radian;
     navigation_.height_m = v.at("altitude");

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "drivers/host/follower.hpp"
-#include "drivers/recordings/record/message_layout.hpp"
+#include "drivers/recordings/record/layouts.hpp"
 #include "drivers/recordings/record/recording.hpp"
 
 namespace drydock::replay {
@@ -22,11 +22,13 @@ class RecordedTruth {
 
  private:
   std::map<std::string, double> values(const record::Understood& message);
+  void take(const std::string& topic, const std::map<std::string, double>& values,
+            measurement::Stamp at);
 
   host::Follower& to_;
-  std::map<std::string, record::MessageNode> layouts_;  ///< by type
-  std::optional<host::Estimate> truth_;                 ///< waits for the rest of its time
-  bus::Navigation navigation_;                          ///< the odometry comes before the fix
+  record::Layouts layouts_;
+  std::optional<host::Estimate> truth_;  ///< waits for the rest of its time
+  bus::Navigation navigation_;           ///< the odometry comes before the fix
 };
 
 }  // namespace drydock::replay

@@ -28,7 +28,8 @@ std::string to_string(const Divergence& d) {
 std::uint32_t ReferenceCheck::add_topic(const Topic& topic) {
   Entry entry;
   entry.name = topic.name;
-  if (is_result(topic.name)) entry.layout = record::parse_definition(topic.schema);
+  if (is_result(topic.name))
+    entry.layout = record::parse_definition(topic.schema, topic.type).value();
   if (const auto found = expected_.topics.find(topic.name); found != expected_.topics.end())
     entry.expected = &found->second;
   topics_.push_back(std::move(entry));

@@ -1,6 +1,6 @@
 #include "hil/score/errors.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
 #include <cmath>
 
 #include "hil/score/lengths.hpp"
@@ -17,7 +17,9 @@ void add_nees(const std::vector<Pair>& pairs, Errors& errors) {
     if (!pair.estimate.covariance_m2) continue;
     ++errors.covariances;
     const Vector3d error = pair.estimate.position_ned - pair.truth.position_ned;
-    const double normalised = error.dot(pair.estimate.covariance_m2->inverse() * error) / 3;
+    const Eigen::LLT<Eigen::Matrix3d> root(*pair.estimate.covariance_m2);
+    if (root.info() != Eigen::Success) continue;
+    const double normalised = error.dot(root.solve(error)) / 3;
     if (!std::isfinite(normalised)) continue;
     sum += normalised;
     ++errors.nees_pairs;

@@ -6,13 +6,18 @@ namespace drydock::score {
 namespace {
 
 std::optional<Pose> truth_at(const Track& truth, measurement::Stamp at,
-                             std::chrono::nanoseconds longest_gap) {
+                             std::chrono::nanoseconds longest_gap, Pairs& account) {
   const auto after = std::ranges::lower_bound(truth, at, {}, &Pose::at);
   if (after == truth.end()) return {};
   if (after->at == at) return *after;
   if (after == truth.begin()) return {};
   const auto before = std::prev(after);
-  if (after->at - before->at > longest_gap) return {};
+  if (after->at - before->at > longest_gap) {
+    ++account.in_gaps;
+    account.widest_gap_s =
+        std::max(account.widest_gap_s, measurement::seconds(after->at - before->at));
+    return {};
+  }
   const double share =
       measurement::seconds(at - before->at) / measurement::seconds(after->at - before->at);
   Pose pose{
@@ -33,7 +38,7 @@ Pairs pairs_of(const Track& estimates, const Track& truth, std::chrono::nanoseco
       continue;
     }
     last = estimate.at;
-    if (const auto there = truth_at(truth, estimate.at, longest_gap))
+    if (const auto there = truth_at(truth, estimate.at, longest_gap, pairs))
       pairs.all.push_back({estimate, *there});
     else
       ++pairs.without_truth;

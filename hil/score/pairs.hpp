@@ -15,6 +15,8 @@ struct Pair {
 struct Pairs {
   std::vector<Pair> all;
   std::uint64_t without_truth = 0;  ///< estimates before, after, or in a gap of the truth
+  std::uint64_t in_gaps = 0;        ///< of those, the ones in a gap
+  double widest_gap_s = 0;          ///< of these
   std::uint64_t out_of_order = 0;   ///< estimates that are not later than the one before
 };
 

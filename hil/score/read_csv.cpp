@@ -65,10 +65,21 @@ class CsvReader {
     return has_ns ? ns : s;
   }
 
-  Vector3d place() const {
-    if (head_.has(csv_local)) return three(csv_local);
+  /// Metres count from the first truth. A file may have them on a plane: 1 in 1000 is no
+  /// disagreement.
+  Vector3d place() {
+    const bool has_local = head_.has(csv_local), has_geodetic = head_.has(csv_geodetic);
+    const Vector3d local = has_local ? three(csv_local) : Vector3d::Zero();
+    if (!has_geodetic) return local;
     const Vector3d v = three(csv_geodetic);
-    return frame::ned_offset(origin_, {v.x() * units::degree, v.y() * units::degree, v.z()});
+    const Vector3d geodetic =
+        frame::ned_offset(origin_, {v.x() * units::degree, v.y() * units::degree, v.z()});
+    if (!has_local) return geodetic;
+    if (!((geodetic - local).norm() <= 0.1 + 1e-3 * local.norm()))
+      note(
+          "latitude_deg, longitude_deg, height_m are not the place of north_m, east_m, down_m, "
+          "which are taken");
+    return local;
   }
 
   /// An empty cell says that there is none.

@@ -2,10 +2,12 @@
 
 #include <fmt/ranges.h>
 
+#include <array>
+#include <limits>
 #include <map>
 
-#include "drivers/recordings/record/message_layout.hpp"
-#include "drivers/recordings/record/recording.hpp"
+#include "drivers/measurement/covariance.hpp"
+#include "drivers/recordings/record/layouts.hpp"
 #include "drivers/text/printable.hpp"
 #include "hil/replay/reference/references.hpp"
 #include "hil/score/axes.hpp"
@@ -17,19 +19,11 @@ namespace {
 
 using Values = std::map<std::string, double>;
 
-Values values_in(const record::MessageNode& layout, mcap::Bytes cdr) {
-  Values all;
-  for (const auto& [name, value] : replay::values_of(layout, cdr))
-    if (value.is_number()) all[name] = value.template get<double>();
-  return all;
-}
-
-/// ROS says "not known" as zeros, as a variance of -1, or as 1e6 and more.
-std::optional<Eigen::Matrix3d> known(const Eigen::Matrix3d& covariance) {
-  const auto d = covariance.diagonal().array();
-  if (!covariance.allFinite() || !(d > 0).all() || !(d < 1e6).all()) return {};
-  return covariance;
-}
+/// The numbers that a pose is made of: a message of this name may have another definition.
+constexpr std::array pose_fields{
+    "header.stamp.sec",        "header.stamp.nanosec",    "pose.pose.position.x",
+    "pose.pose.position.y",    "pose.pose.position.z",    "pose.pose.orientation.w",
+    "pose.pose.orientation.x", "pose.pose.orientation.y", "pose.pose.orientation.z"};
 
 /// Of the position: the first three rows and columns of six.
 Eigen::Matrix3d position_covariance(const Values& v) {
@@ -42,40 +36,59 @@ Eigen::Matrix3d position_covariance(const Values& v) {
   return covariance;
 }
 
-std::optional<Pose> odometry_pose(const Values& v) {
-  const auto at = [&v](const char* name) {
-    const auto found = v.find(name);
-    return found == v.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
-  };
-  const Eigen::Vector3d position{at("pose.pose.position.x"), at("pose.pose.position.y"),
-                                 at("pose.pose.position.z")};
-  const Eigen::Quaterniond q(at("pose.pose.orientation.w"), at("pose.pose.orientation.x"),
-                             at("pose.pose.orientation.y"), at("pose.pose.orientation.z"));
-  const double seconds = at("header.stamp.sec"), rest = at("header.stamp.nanosec");
-  if (!position.allFinite() || !(std::abs(q.norm() - 1) < 0.01) || !std::isfinite(seconds + rest))
-    return {};
-  const auto ns =
-      static_cast<std::int64_t>(seconds) * 1'000'000'000 + static_cast<std::int64_t>(rest);
-  Pose pose{measurement::stamp_from_ns(ns), ned_of_enu(position), ned_of_enu(q), {}};
-  if (const auto covariance = known(position_covariance(v)))
-    pose.covariance_m2 = ned_of_enu(*covariance);
-  return pose;
-}
-
 /// The odometries of one topic.
-struct OdometryTopic {
-  std::uint64_t messages = 0;
-  Estimates estimates;
-  PassedOver passed_over{"message"};
-
-  void take(const std::optional<Pose>& pose) {
-    ++messages;
-    if (pose)
-      estimates.track.push_back(*pose);
-    else
-      passed_over.add("no pose (a number is not finite, or the quaternion's length is not 1)",
-                      messages);
+class OdometryTopic {
+ public:
+  void read(const record::Layout& layout, mcap::Bytes cdr) {
+    ++messages_;
+    if (!layout) return note(layout.error().line);
+    if (const auto why = record::misfit(*layout, cdr); !why.empty()) return note(why);
+    Values values;
+    for (const auto& [name, value] : replay::values_of(*layout, cdr))
+      values[name] = value.is_number() ? value.template get<double>()
+                                       : std::numeric_limits<double>::quiet_NaN();
+    for (const char* field : pose_fields)
+      if (!values.contains(field)) return note(fmt::format("it has no {}", field));
+    take(values);
   }
+
+  Estimates result() {
+    estimates_.notes = passed_over_.notes();
+    return std::move(estimates_);
+  }
+
+ private:
+  void note(const std::string& why) { passed_over_.add(text::printable(why), messages_); }
+
+  void take(const Values& v) {
+    const Eigen::Vector3d position{v.at("pose.pose.position.x"), v.at("pose.pose.position.y"),
+                                   v.at("pose.pose.position.z")};
+    const Eigen::Quaterniond q(v.at("pose.pose.orientation.w"), v.at("pose.pose.orientation.x"),
+                               v.at("pose.pose.orientation.y"), v.at("pose.pose.orientation.z"));
+    const double seconds = v.at("header.stamp.sec"), rest = v.at("header.stamp.nanosec");
+    if (!position.allFinite() || !(std::abs(q.norm() - 1) < 0.01))
+      return note("no pose (a number is not finite, or the quaternion's length is not 1)");
+    const auto ns =
+        static_cast<std::int64_t>(seconds) * 1'000'000'000 + static_cast<std::int64_t>(rest);
+    estimates_.track.push_back({measurement::stamp_from_ns(ns), ned_of_enu(position), ned_of_enu(q),
+                                covariance(position_covariance(v))});
+  }
+
+  std::optional<Eigen::Matrix3d> covariance(const Eigen::Matrix3d& enu) {
+    const auto d = enu.diagonal().array();
+    if (enu.allFinite() && !((d > 0).all() && (d < 1e6).all())) {
+      note("its covariance is not known (a variance is not above 0 and below 1e6)");
+    } else if (const char* flaw = measurement::covariance_flaw(enu)) {
+      note(fmt::format("its covariance is none: it {}", flaw));
+    } else {
+      return ned_of_enu(enu);
+    }
+    return {};
+  }
+
+  std::uint64_t messages_ = 0;
+  Estimates estimates_;
+  PassedOver passed_over_{"message"};
 };
 
 using Topics = std::map<std::string, OdometryTopic>;
@@ -104,21 +117,19 @@ boost::system::result<Estimates, Problem> read_odometry(const std::string& path,
   auto recording = record::Recording::open(path);
   if (!recording) return Problem{recording.error().line};
   Topics topics;
-  std::optional<record::MessageNode> layout;
+  record::Layouts layouts;
   while (const auto event = recording->next()) {
     const auto* message = std::get_if<record::Understood>(&*event);
     if (message == nullptr || message->schema->name != "nav_msgs/msg/Odometry") continue;
-    if (!layout)
-      layout = record::parse_definition(message->schema->text).value_or(record::MessageNode{});
     OdometryTopic& odometry = topics[message->channel->topic];
     if (topic.empty() || topic == message->channel->topic)
-      odometry.take(odometry_pose(values_in(*layout, message->cdr)));
+      odometry.read(layouts.of(*message), message->cdr);
   }
   OdometryTopic* found = chosen(topics, topic);
   if (found == nullptr) return which_topic(topics, path, topic);
-  found->estimates.notes = found->passed_over.notes();
-  if (!recording->damage().empty()) found->estimates.notes.push_back(recording->damage());
-  return std::move(found->estimates);
+  Estimates estimates = found->result();
+  if (!recording->damage().empty()) estimates.notes.push_back(recording->damage());
+  return estimates;
 }
 
 }  // namespace drydock::score

@@ -34,8 +34,7 @@ boost::system::result<Truth, Problem> read_truth(const std::string& path) {
   truth.tell();
   keeper.kept.damage = recording->damage();
   if (!keeper.kept.track.empty()) return keeper.kept;
-  return Problem{fmt::format(
-      "{}: no truth in it; a run of an emulated rig with an estimator records it", path)};
+  return Problem{fmt::format("{}: no truth in it; a run of an emulated rig records it", path)};
 }
 
 }  // namespace drydock::score

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
@@ -33,6 +35,18 @@ boost::system::result<Estimates, Problem> read_track(const ScoreOptions& options
   throw std::invalid_argument(fmt::format("{}: give --format, allowed: csv, tum, mcap", path));
 }
 
+/// Why no estimate has a truth, where the times tell it; else empty.
+std::string no_pair_of(const Track& estimates, const Track& truth) {
+  if (estimates.empty()) return {};
+  const auto [first, last] = std::ranges::minmax(estimates, {}, &Pose::at);
+  if (last.at >= truth.front().at && first.at <= truth.back().at) return {};
+  const auto s = [](measurement::Stamp at) { return measurement::seconds(at.time_since_epoch()); };
+  return fmt::format(
+      "no time in common: the estimates are of {:.3f} to {:.3f} s since 1970, the truth of {:.3f} "
+      "to {:.3f} s",
+      s(first.at), s(last.at), s(truth.front().at), s(truth.back().at));
+}
+
 int refused(const std::string& line, int code, std::FILE* err) {
   fmt::print(err, "score: {}\n", line);
   return code;
@@ -61,6 +75,15 @@ int score(const ScoreOptions& options, std::FILE* out, std::FILE* err) try {
       pairs_of(estimates->track, truth->track, measurement::from_seconds(options.longest_gap_s));
   if (const auto disorder = disorder_of(pairs, options); !disorder.empty())
     return refused(disorder, terminal::exit_failed, err);
+  if (estimates->track.empty() && estimates->notes.empty())
+    estimates->notes.emplace_back("there are no estimates in the file");
+  if (pairs.all.empty())
+    if (auto why = no_pair_of(estimates->track, truth->track); !why.empty())
+      estimates->notes.push_back(std::move(why));
+  if (pairs.in_gaps > 0)
+    estimates->notes.push_back(fmt::format(
+        "{} estimates are in gaps of the truth, of up to {:.2f} s: --longest-gap {:.2f} takes them",
+        pairs.in_gaps, pairs.widest_gap_s, std::ceil(100 * pairs.widest_gap_s) / 100));
   if (!align(pairs.all, options.alignment))
     estimates->notes.emplace_back(
         "the turn of the alignment is not determined: fewer than three estimates with a truth, or "

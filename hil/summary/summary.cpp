@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "drivers/text/json_of_any_text.hpp"
@@ -157,6 +158,8 @@ std::string to_text(const Summary& s) {
     if (e.whole_run) {
       out += fmt::format(", error against truth: roll {:.3f} deg RMS, pitch {:.3f} deg RMS",
                          e.whole_run->roll_rms_deg, e.whole_run->pitch_rms_deg);
+      if (e.program && !std::isnan(e.whole_run->nees_mean))
+        out += fmt::format(", NEES {:.2f}", e.whole_run->nees_mean);
     }
     if (e.after_10_s) {
       out += fmt::format(" (after 10 s: {:.3f}, {:.3f})", e.after_10_s->roll_rms_deg,

@@ -11,6 +11,7 @@
 
 #include "drivers/wire/protocols.hpp"
 #include "rig_config/estimator/kinds.hpp"
+#include "rig_config/estimator_name.hpp"
 #include "rig_config/nearest_file.hpp"
 #include "rig_config/rules/explain.hpp"
 
@@ -28,6 +29,7 @@ class RigChecks {
   Problems run() {
     problems_ = check_names(root_, file_, "device");
     std::ranges::move(check_names(root_, file_, "estimator"), std::back_inserter(problems_));
+    no_estimator_is_the_truth();
     links_are_sound();
     lines_are_named_alike();
     addresses_are_unique();
@@ -41,6 +43,15 @@ class RigChecks {
   }
 
  private:
+  void no_estimator_is_the_truth() {
+    for_each_table(root_, "estimator", [&](const Node& estimator, std::size_t i) {
+      const Node* name = estimator.find_text("name");
+      if (name && name->text == name_of_truth)
+        add(*name, fmt::format("/estimator/{}/name", i),
+            "\"truth\" is the name of the true motion, allowed: another name");
+    });
+  }
+
   void links_are_sound() {
     if (!options_.link_check) return;
     for_each_table(root_, "device", [&](const Node& device, std::size_t i) {

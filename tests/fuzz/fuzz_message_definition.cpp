@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto* end = std::find(data, data + size, 0);
   const std::string_view definition{reinterpret_cast<const char*>(data),
                                     static_cast<std::size_t>(end - data)};
-  const auto layout = record::parse_definition(definition);
+  const auto layout = record::parse_definition(definition, "t/msg/M");
   if (!layout || end == data + size) return 0;
   std::vector<std::uint8_t> cdr{0, 1, 0, 0};
   cdr.insert(cdr.end(), end + 1, data + size);

@@ -52,7 +52,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (const auto topic =
             bus::measurement_topic(understood.channel->topic, understood.schema->name))
       measurements.read(topic->kind, understood.cdr, understood.at);
-    if (const auto layout = record::parse_definition(understood.schema->text))
+    if (const auto layout =
+            record::parse_definition(understood.schema->text, understood.schema->name))
       record::visit_message(*layout, understood.cdr, Ignore{});
   }
   return 0;

@@ -48,6 +48,23 @@ class Estimator(unittest.TestCase):
         for name in by_pipe:
             np.testing.assert_array_equal(by_pipe[name], in_process[name], err_msg=name)
 
+    def test_faults_are_a_text_or_the_path_of_a_file(self):
+        text = '[[fault]]\ndevice = "dvl"\nfault = "hang"\nstart_s = 1\n'
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "faults.toml")
+            path.write_text(text)
+            runs = [drydock.run(DEMO, 5, faults=faults).summary["faults"] for faults in (text, path, str(path))]
+        self.assertEqual(len(runs[0]), 1)
+        self.assertEqual(runs[1], runs[0])
+        self.assertEqual(runs[2], runs[0])
+        with self.assertRaisesRegex(FileNotFoundError, "nope.toml"):
+            drydock.run(DEMO, 1, faults="nope.toml")
+
+    def test_a_name_is_one_that_a_rig_file_may_have(self):
+        for name in ("truth", "", "mi ne/../x", "2nd"):
+            with self.assertRaisesRegex(ValueError, "an estimator is named"):
+                drydock.run(DEMO, 1, estimators={name: lambda step: None})
+
     def test_steps_come_at_exact_virtual_times_with_older_measurements_in_order(self):
         steps = []
         drydock.run(DEMO, 10, estimators={"watch": drydock.Estimator(steps.append, step_s=0.25)})

@@ -44,6 +44,9 @@ class Files(unittest.TestCase):
             other.write_text("[1, 2]")
             with self.assertRaisesRegex(ValueError, "drydock scorecard --json"):
                 drydock.read_scorecard(other)
+            other.write_text("{]")
+            with self.assertRaisesRegex(ValueError, "other.json is no scorecard: "):
+                drydock.read_scorecard(other)
 
 
 if __name__ == "__main__":

@@ -70,6 +70,8 @@ class Recording(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "sonar"):
             drydock.read_recording(recording, only=["sonar"])
         for read in (drydock.read_recording, drydock.decode_recording):
+            with self.assertRaisesRegex(TypeError, 'only is a text, allowed: a sequence of names, as \\["imu"\\]'):
+                read(recording, only="imu")
             with self.assertRaisesRegex(ValueError, "allowed: from_s before to_s"):
                 read(recording, from_s=20, to_s=10)
         with self.assertRaisesRegex(RuntimeError, "no-such.mcap"):

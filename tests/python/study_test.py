@@ -36,6 +36,10 @@ class Study(unittest.TestCase):
     def test_a_wrong_call_says_what_is_allowed(self):
         with self.assertRaisesRegex(ValueError, "allowed: leveling, mixing"):
             drydock.study("levelling")
+        with self.assertRaisesRegex(ValueError, "runs = 0, allowed: 1 to 1000000"):
+            drydock.study("leveling", runs=0)
+        with self.assertRaisesRegex(TypeError, 'cases is a text, allowed: a sequence of names, as \\["x"\\]'):
+            drydock.study("velocity", cases="x")
         with self.assertRaisesRegex(ValueError, "has no cases"):
             drydock.study("leveling", cases=["x"])
         with self.assertRaisesRegex(ValueError, "'x' is not known, allowed: "):

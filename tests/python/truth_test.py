@@ -46,6 +46,13 @@ class Truth(unittest.TestCase):
         table = drydock.truth(MISSIONS / "leveling-straight.toml", every_s=0.5, start_ns=10**18)
         self.assertEqual(table["at_ns"].tolist(), [10**18 + k * 500_000_000 for k in range(61)])
 
+    def test_no_times_give_the_columns_without_rows(self):
+        none, one = (drydock.truth(MISSIONS / "s-path.toml", times) for times in ([], [0.0]))
+        self.assertEqual(list(none), list(one))
+        for name in one:
+            self.assertEqual(none[name].shape, (0,) + one[name].shape[1:])
+            self.assertEqual(none[name].dtype, one[name].dtype)
+
     def test_the_order_of_the_times_does_not_matter(self):
         times = np.linspace(0, 60, 200)
         forward, back = (drydock.truth(MISSIONS / "s-path.toml", t) for t in (times, times[::-1]))
@@ -57,8 +64,11 @@ class Truth(unittest.TestCase):
             drydock.truth(MISSIONS / "ardusub.toml", [0.0])
         with self.assertRaisesRegex(ValueError, "nan"):
             drydock.truth(MISSIONS / "s-path.toml", [0.0, math.nan])
-        with self.assertRaisesRegex(ValueError, "every_s"):
-            drydock.truth(MISSIONS / "s-path.toml", every_s=0)
+        for step in (0, 1e-12, 1e-320):
+            with self.assertRaisesRegex(ValueError, "every_s"):
+                drydock.truth(MISSIONS / "s-path.toml", every_s=step)
+        with self.assertRaisesRegex(ValueError, "times_s has 2 dimensions"):
+            drydock.truth(MISSIONS / "s-path.toml", [[0.0, 1.0], [2.0, 3.0]])
         with self.assertRaisesRegex(RuntimeError, "no-such.toml"):
             drydock.truth("no-such.toml", [0.0])
 

@@ -1,3 +1,4 @@
+#include "rig_config/estimator_name.hpp"
 #include "tests/rig_config/problems.hpp"
 
 /// Names in rig files: devices, links, addresses.
@@ -37,6 +38,24 @@ TEST(RigNames, ANameIsUsedOnce) {
       problems_of(dvl_table),
       ElementsAre("r.toml:9:8: /device/1/name: \"dvl\" is used twice, first in line 4; each "
                   "device needs its own"));
+}
+
+/// Topics and recordings tell the true motion under this name.
+TEST(RigNames, NoEstimatorIsTheTruth) {
+  EXPECT_THAT(
+      problems_of(std::string(imu_table) + "[[estimator]]\nname = \"truth\"\nkind = \"leveling\"\n"
+                                           "imu = \"imu\"\nmodel = \"stationary\"\n"),
+      ElementsAre(HasSubstr("/estimator/0/name: \"truth\" is the name of the true motion")));
+}
+
+TEST(RigNames, AFunctionThatIsAnEstimatorHasTheSameRule) {
+  for (const std::string name :
+       {"mine", "M1_", "truth", "", "2m", "_m", "mi ne/../x", "m-1", "ä"}) {
+    const auto problems =
+        problems_of(std::string(imu_table) + "[[estimator]]\nname = \"" + name +
+                    "\"\nkind = \"leveling\"\nimu = \"imu\"\nmodel = \"stationary\"\n");
+    EXPECT_EQ(problems.empty(), may_be_estimator(name)) << name;
+  }
 }
 
 // DDS refuses a topic with any other character. ROS 2 refuses a topic that begins with a digit.

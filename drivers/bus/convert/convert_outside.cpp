@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "drivers/bus/convert/convert.hpp"
+#include "drivers/measurement/covariance.hpp"
 #include "drivers/measurement/units.hpp"
 
 namespace drydock::bus {
@@ -37,9 +38,11 @@ Matrix3d block_of(const double (&covariance)[36], int block) {
   return all.block<3, 3>(3 * block, 3 * block);
 }
 
-std::optional<Matrix3d> known_turned(const Matrix3d& by, const Matrix3d& covariance) {
+/// False if it is known and no covariance.
+bool turn_known(std::optional<Matrix3d>& to, const Matrix3d& by, const Matrix3d& covariance) {
   const auto found = known(covariance);
-  return found ? std::optional<Matrix3d>(turned(by, *found)) : std::nullopt;
+  if (found) to = turned(by, *found);
+  return !found || measurement::covariance_flaw(*found) == nullptr;
 }
 
 /// From a rotation of the body (FLU) to ENU; empty if it is none.
@@ -53,9 +56,9 @@ bool read_pose(OutsideValues& values, const geometry_msgs_msg_dds__PoseWithCovar
   const auto& at = pose.pose.position;
   values.body_to_ned = body_to_ned(pose.pose.orientation);
   values.offset_ned_m = swap_ned_enu({at.x, at.y, at.z});
-  values.position_m2 = known_turned(enu_to_ned, block_of(pose.covariance, 0));
-  values.rotation_rad2 = known_turned(enu_to_ned, block_of(pose.covariance, 1));
-  return values.body_to_ned && values.offset_ned_m->allFinite();
+  return turn_known(values.position_m2, enu_to_ned, block_of(pose.covariance, 0)) &&
+         turn_known(values.rotation_rad2, enu_to_ned, block_of(pose.covariance, 1)) &&
+         values.body_to_ned && values.offset_ned_m->allFinite();
 }
 
 bool is_east_north_up(std::string_view frame) {
@@ -65,8 +68,8 @@ bool is_east_north_up(std::string_view frame) {
 bool set_velocity(OutsideValues& values, const geometry_msgs_msg_dds__TwistWithCovariance_& twist,
                   const Matrix3d& to_ned) {
   values.velocity_ned_mps = to_ned * to_eigen(twist.twist.linear);
-  values.velocity_m2ps2 = known_turned(to_ned, block_of(twist.covariance, 0));
-  return values.velocity_ned_mps->allFinite();
+  return turn_known(values.velocity_m2ps2, to_ned, block_of(twist.covariance, 0)) &&
+         values.velocity_ned_mps->allFinite();
 }
 
 }  // namespace
@@ -82,8 +85,7 @@ bool read(OutsideValues& values, const ImuMessage& message) {
                          {message.orientation_covariance[3], message.orientation_covariance[4], 0},
                          {0, 0, std::min(message.orientation_covariance[8], any_heading_rad2)}};
   const Matrix3d flu_to_ned = values.body_to_ned->toRotationMatrix() * frd_to_flu_axes;
-  values.rotation_rad2 = known_turned(flu_to_ned, in_body);
-  return true;
+  return turn_known(values.rotation_rad2, flu_to_ned, in_body);
 }
 
 bool read(OutsideValues& values, const OdometryMessage& message) {
@@ -109,9 +111,10 @@ bool read(OutsideValues& values, const NavSatFixMessage& message) {
   if (message.status.status < 0) return false;
   values.geodetic = Eigen::Vector3d{message.latitude * units::degree,
                                     message.longitude * units::degree, message.altitude};
-  if (message.position_covariance_type != 0)
-    values.position_m2 =
-        known_turned(enu_to_ned, Eigen::Map<const Rows>(message.position_covariance));
+  if (message.position_covariance_type != 0 &&
+      !turn_known(values.position_m2, enu_to_ned,
+                  Eigen::Map<const Rows>(message.position_covariance)))
+    return false;
   return values.geodetic->head<2>().allFinite() && std::abs(message.latitude) <= 90;
 }
 

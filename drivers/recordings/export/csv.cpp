@@ -4,11 +4,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <set>
 
 #include "drivers/recordings/export/exporter.hpp"
 #include "drivers/recordings/export/output_file.hpp"
 #include "drivers/recordings/export/units.hpp"
-#include "drivers/recordings/record/message_layout.hpp"
+#include "drivers/recordings/record/layouts.hpp"
 
 namespace drydock::exporting {
 
@@ -116,29 +117,34 @@ class Csv final : public Exporter {
   explicit Csv(const Target& to) : folder_(to.path, to.overwrite) {}
 
   void on_message(const record::Understood& message) override {
-    const auto [topic, is_new] = topics_.try_emplace(message.channel->topic);
-    if (is_new) topic->second = record::parse_definition(message.schema->text);
-    if (!topic->second) return;
-    OutputFile& file = folder_.file(file_name(message.channel->topic));
-    if (is_new) {
+    const std::string& topic = message.channel->topic;
+    const record::Layout& layout = layouts_.of(message);
+    if (!layout) return unread_.add(topic, layout.error().line);
+    if (const auto why = record::misfit(*layout, message.cdr); !why.empty())
+      return unread_.add(topic, why);
+    OutputFile& file = folder_.file(file_name(topic));
+    if (topics_.insert(topic).second) {
       line_ = "log_time [s]";
-      put_columns(*topic->second, "", message.schema->name, line_);
+      put_columns(*layout, "", message.schema->name, line_);
       file.write(line_ + '\n');
     }
     const auto ns = message.at.time_since_epoch().count();
     line_ = fmt::format("{}.{:09}", ns / ns_a_second, ns % ns_a_second);
-    if (!record::visit_message(*topic->second, message.cdr, Row(line_))) return;
+    record::visit_message(*layout, message.cdr, Row(line_));
     file.write(line_ + '\n');
     ++written_;
   }
   void finish() override { folder_.close(); }
   std::string error() const override { return folder_.error(); }
+  std::vector<std::string> notes() const override { return unread_.notes(); }
 
  private:
   static constexpr std::int64_t ns_a_second = 1'000'000'000;
 
   OutputFolder folder_;
-  std::map<std::string, std::optional<MessageNode>> topics_;
+  record::Layouts layouts_;
+  record::Unread unread_;
+  std::set<std::string> topics_;  ///< with a file
   std::string line_;
 };
 

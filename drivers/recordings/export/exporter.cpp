@@ -56,6 +56,7 @@ boost::system::result<Exported, record::RecordingError> export_recording(
     return record::RecordingError{error};
   done.written = exporter->written();
   done.damage = recording->damage();
+  done.notes = exporter->notes();
   return done;
 }
 

@@ -45,6 +45,8 @@ class Exporter {
   virtual void finish() = 0;
 
   virtual std::string error() const = 0;  ///< empty, or one line
+  /// What it passed over of what its format holds, a line each.
+  virtual std::vector<std::string> notes() const { return {}; }
   std::uint64_t written() const { return written_; }
 
  protected:
@@ -61,6 +63,7 @@ struct Exported {
   std::uint64_t written = 0;
   bool ended_early = false;  ///< the watch ended it
   std::string damage;        ///< of the recording; empty: none
+  std::vector<std::string> notes;
 };
 
 /// Exports the selected part of a recording.

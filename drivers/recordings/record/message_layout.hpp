@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <boost/system/result.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,8 +39,17 @@ struct MessageNode {
   std::vector<MessageNode> members;  ///< for a nested message
 };
 
-/// `definition` is a schema with encoding "ros2msg". Empty if it was not understood.
-std::optional<MessageNode> parse_definition(std::string_view definition);
+/// Why messages cannot be read, as one line about them: "its definition does not have t/Pose".
+struct LayoutTrouble {
+  std::string line;
+};
+[[noreturn]] void throw_exception_from_error(const LayoutTrouble& trouble,
+                                             const boost::source_location& where);
+
+/// `definition` is a schema with encoding "ros2msg" of the type `type`, "nav_msgs/msg/Odometry": a
+/// bare name in it is of the package that names it.
+boost::system::result<MessageNode, LayoutTrouble> parse_definition(std::string_view definition,
+                                                                   std::string_view type);
 
 /// Visits the values of a message in CDR (XCDR1, little endian) in the order of its fields:
 ///  visitor.value(node, offset, bytes)  for a scalar or a text without its end, at an offset in
@@ -50,6 +59,9 @@ std::optional<MessageNode> parse_definition(std::string_view definition);
 /// False if the message is shorter than its definition, or has another encoding.
 template <class Visitor>
 bool visit_message(const MessageNode& message, mcap::Bytes cdr, Visitor&& visitor);
+
+/// Why visit_message() is false, as one line about the message; empty if it is true.
+std::string misfit(const MessageNode& message, mcap::Bytes cdr);
 
 }  // namespace drydock::record
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drivers/measurement/units.hpp"
+#include "drivers/recordings/record/layouts.hpp"
 #include "drivers/recordings/slice/move_understood.hpp"
 #include "drivers/wire/protocols.hpp"
 #include "rig_config/toml/rewrite.hpp"
@@ -67,7 +68,7 @@ void Disguise::note(const mcap::Channel& channel, const mcap::Schema& schema,
       track.bus = std::make_unique<BusPlace>(*place_, dropped_);
     }
   } else {
-    track.layout = record::parse_definition(schema.text);
+    if (auto layout = record::layout_of(channel, schema)) track.layout = std::move(*layout);
   }
   tracks_[channel.id] = std::move(track);
 }
@@ -130,11 +131,12 @@ void Disguise::emit_moved(const Track& track, const std::vector<ReceiverLine::Mo
 }
 
 bool Disguise::apply_understood(const Track& track, mcap::Message& message) {
-  if (place_ && (!track.layout || !may_be_kept(track.type))) {
+  const bool read = track.layout && record::misfit(*track.layout, message.data).empty();
+  if (place_ && (!read || !may_be_kept(track.type))) {
     ++dropped_[track.type];
     return false;
   }
-  if (!track.layout) return true;
+  if (!read) return true;
   data_.assign(message.data.begin(), message.data.end());
   if (options_.shift.count() != 0) shift_stamps(*track.layout, data_, options_.shift);
   if (place_ && move_position(track.type, *track.layout, data_, *place_)) ++moved_;

@@ -10,6 +10,7 @@
 #include "drivers/recordings/record/recover.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/terminal/unkept_path.hpp"
+#include "drivers/text/printable.hpp"
 #include "rig_config/file_trouble.hpp"
 
 namespace drydock::recordings {
@@ -51,6 +52,7 @@ int export_recording(ExportOptions options, const record::Watch& watch, std::FIL
   const auto done = exporting::export_recording(options.recording, options.part, options.format,
                                                 options.target, watch);
   if (!done) return refuse(err, "export", done.error().line);
+  for (const auto& note : done->notes) fmt::print(err, "{}\n", text::printable(note));
   if (done->written == 0)
     return refuse(err, "export",
                   fmt::format("nothing in {} that {} could hold", options.recording, format.name));

@@ -94,7 +94,9 @@ void wait_for(const std::vector<std::string>& jobs, const OpenCampaign& campaign
     if (done > 0) progress.on_run(campaign.config.name, done, missing);
   }
   done = std::min(lines.count() - before, missing);
-  progress.finish(campaign.config.name, done, {.runs = missing, .seed = campaign.config.seed});
+  const std::size_t runs = Plan(campaign.config).runs();
+  progress.finish(campaign.config.name, done, {.runs = runs, .seed = campaign.config.seed},
+                  runs - missing);
 }
 
 void refuse_second_submission(const OpenCampaign& campaign) {

@@ -48,6 +48,21 @@ class Study:
     figures: List[Dict[str, Any]]
 
 
+def _names(names: Sequence[str], what: str) -> List[str]:
+    """A text is a sequence of its letters, which nobody means."""
+    if isinstance(names, str):
+        raise TypeError(f'{what} is a text, allowed: a sequence of names, as ["{names}"]')
+    return list(names)
+
+
+def _fault_text(faults: Union[str, "os.PathLike[str]"]) -> str:
+    """The text itself, or that of a file."""
+    if isinstance(faults, str) and ("\n" in faults or not faults.endswith(".toml")):
+        return faults
+    with open(faults, encoding="utf-8") as file:
+        return file.read()
+
+
 def decode_capture(path: Path, protocol: str, *, kind: str = "", baud: int = 0, format: str = "", clock: str = "",
                    interface: str = "", address: int = 0) -> Dict[str, Table]:
     """The measurements of a capture of one sensor, a table by type: `drydock replay --protocol`."""
@@ -58,13 +73,13 @@ def decode_capture(path: Path, protocol: str, *, kind: str = "", baud: int = 0, 
 def decode_recording(path: Path, *, only: Sequence[str] = (), from_s: Optional[float] = None,
                      to_s: Optional[float] = None) -> Dict[str, Dict[str, Table]]:
     """The recorded bytes through their drivers: measurements by device and type."""
-    return _core.decode_recording(os.fspath(path), only=list(only), from_s=from_s, to_s=to_s)
+    return _core.decode_recording(os.fspath(path), only=_names(only, "only"), from_s=from_s, to_s=to_s)
 
 
 def read_recording(path: Path, *, only: Sequence[str] = (), from_s: Optional[float] = None,
                    to_s: Optional[float] = None) -> Dict[str, Table]:
     """The recorded messages by topic: what was measured, estimated and true at the time."""
-    return _core.read_recording(os.fspath(path), only=list(only), from_s=from_s, to_s=to_s)
+    return _core.read_recording(os.fspath(path), only=_names(only, "only"), from_s=from_s, to_s=to_s)
 
 
 def truth(mission: Path, times_s: Optional[npt.ArrayLike] = None, *, every_s: float = 1.0, start_ns: int = 0) -> Table:
@@ -75,19 +90,20 @@ def truth(mission: Path, times_s: Optional[npt.ArrayLike] = None, *, every_s: fl
 def run(rig: Path, duration_s: Optional[float] = None, *,
         estimators: Optional[Mapping[str, Union[Estimator, Callable[[Step], Any]]]] = None,
         controller: Optional[Callable[[Moment], Sequence[float]]] = None, controller_period_s: float = 0.1,
-        truth_period_s: float = 0.1, seed: Optional[int] = None, faults: str = "", record: Optional[Path] = None,
+        truth_period_s: float = 0.1, seed: Optional[int] = None, faults: Path = "", record: Optional[Path] = None,
         overwrite: bool = False) -> Run:
     """Runs a rig in virtual time: `drydock run --speed max`; without duration_s, one lap of its mission. `controller` gives
-    the vehicle's outputs, -1 to 1 each, which hold until its next call. `faults`: TOML, blocks [[fault]]."""
+    the vehicle's outputs, -1 to 1 each, which hold until its next call. `faults`: blocks [[fault]], as a TOML text or the path
+    of a .toml file."""
     seats = {name: one if isinstance(one, Estimator) else Estimator(one) for name, one in (estimators or {}).items()}
     return Run(**_core.run(os.fspath(rig), duration_s, estimators={name: (e.call, e.gives, e.step_s) for name, e in seats.items()},
                            controller=controller, controller_period_s=controller_period_s, truth_period_s=truth_period_s,
-                           seed=seed, faults=faults, record=os.fspath(record or ""), overwrite=overwrite))
+                           seed=seed, faults=_fault_text(faults), record=os.fspath(record or ""), overwrite=overwrite))
 
 
 def study(name: str, *, runs: int = 100, seed: int = 1, jobs: int = 0, cases: Sequence[str] = ()) -> Study:
     """The experiment of a paper again: `drydock study`. `jobs` 0: one a processor."""
-    return Study(**_core.study(name, runs=runs, seed=seed, jobs=jobs, cases=list(cases)))
+    return Study(**_core.study(name, runs=runs, seed=seed, jobs=jobs, cases=_names(cases, "cases")))
 
 
 def calibrate(recording: Path, *, rig: Path = "") -> Dict[str, Any]:

@@ -31,7 +31,10 @@ def _table(rows: List[Dict[str, Any]]) -> Dict[str, Any]:
 
 def _read(path: Path, key: str, what: str) -> Dict[str, Any]:
     with open(path, encoding="utf-8") as file:
-        content = json.load(file)
+        try:
+            content = json.load(file)
+        except ValueError as error:  # no JSON, or no UTF-8
+            raise ValueError(f"{os.fspath(path)} is no {what}: {error}") from error
     if not isinstance(content, dict) or key not in content:
         raise ValueError(f"{os.fspath(path)} is no {what}; drydock {what} --json writes one")
     return content

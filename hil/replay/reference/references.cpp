@@ -108,7 +108,8 @@ std::uint32_t ReferenceMaker::add_topic(const Topic& topic) {
   entry.name = topic.name;
   entry.type = topic.type;
   entry.every = every_.value_or(1);
-  if (is_result(topic.name)) entry.layout = record::parse_definition(topic.schema);
+  if (is_result(topic.name))
+    entry.layout = record::parse_definition(topic.schema, topic.type).value();
   topics_.push_back(std::move(entry));
   return static_cast<std::uint32_t>(topics_.size() - 1);
 }

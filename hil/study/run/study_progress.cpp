@@ -45,10 +45,11 @@ void StudyProgress::on_run(std::string_view campaign, std::size_t done, std::siz
   if (done == of) campaign_begin_ = now;
 }
 
-void StudyProgress::finish(std::string_view study, std::size_t runs,
-                           const study::Options& options) {
-  fmt::print(out_, "{}{}: {} of {} runs, seed {}, {:.1f} s{}\n",
-             terminal_ ? terminal::wipe_line : "", study, runs, options.runs, options.seed,
+void StudyProgress::finish(std::string_view study, std::size_t runs, const study::Options& options,
+                           std::size_t earlier) {
+  fmt::print(out_, "{}{}: {} of {} runs{}, seed {}, {:.1f} s{}\n",
+             terminal_ ? terminal::wipe_line : "", study, earlier + runs, options.runs,
+             earlier > 0 ? fmt::format(", {} of them from before", earlier) : "", options.seed,
              seconds_between(begin_, Clock::now()), stopped() ? ", ended by Ctrl-C" : "");
 }
 

@@ -17,8 +17,10 @@ class StudyProgress final : public study::Progress {
   void on_run(std::string_view campaign, std::size_t done, std::size_t of) override;
   bool stopped() const override { return interrupt_.set(); }
 
-  /// Erases the bar and prints one line about the finished work.
-  void finish(std::string_view study, std::size_t runs, const study::Options& options);
+  /// Erases the bar and prints one line about the finished work. `earlier`: runs of options.runs
+  /// that were there before it.
+  void finish(std::string_view study, std::size_t runs, const study::Options& options,
+              std::size_t earlier = 0);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -149,6 +149,43 @@ TEST(Answer, AFlawNamesItsField) {
   EXPECT_THAT(what(R"("roll_deg":infinite)"), testing::HasSubstr("which is not JSON"));
 }
 
+TEST(Answer, AMisspeltKeyIsNamedWithThoseThatAreRead) {
+  const auto answer = with(R"("roll_deg":1,"atitude_sigma_deg":[1,1,1])");
+  EXPECT_EQ(answer.flaw, Flaw::malformed);
+  EXPECT_THAT(answer.what,
+              testing::StartsWith("the key atitude_sigma_deg, allowed: valid_at_ns, roll_deg, "));
+}
+
+/// 1e999 is JSON; RFC 8259 lets its reader limit the range of numbers.
+TEST(Answer, ANumberBeyondEveryDoubleIsAnInfinity) {
+  const auto answer = with(R"("roll_deg":-1e999)");
+  EXPECT_EQ(answer.flaw, Flaw::not_finite);
+  EXPECT_EQ(answer.what, "-1e999, which is beyond every number here: an infinity");
+}
+
+TEST(Answer, AMatrixThatIsNoCovarianceHasItsReason) {
+  const auto what = [](const char* nine) {
+    return with(R"("roll_deg":1,"attitude_covariance_deg2":)" + std::string(nine)).what;
+  };
+  EXPECT_EQ(what("[1,0.5,0,0.5,1,0,0,0,1]"), "");
+  EXPECT_EQ(what("[1,0.9,0,-0.9,1,0,0,0,1]"),
+            "attitude_covariance_deg2 that is no covariance: it is not symmetric");
+  EXPECT_EQ(what("[1,-0.9,-0.9,-0.9,1,-0.9,-0.9,-0.9,1]"),
+            "attitude_covariance_deg2 that is no covariance: it has a direction with a negative "
+            "variance");
+}
+
+TEST(Answer, DeviationsAndACovarianceMustAgree) {
+  const auto what = [](const char* sigmas) {
+    return with(R"("roll_deg":1,"attitude_covariance_deg2":[4,1,0,1,9,0,0,0,16],)"
+                R"("attitude_sigma_deg":)" +
+                std::string(sigmas));
+  };
+  EXPECT_EQ(what("[2,3,5]").what, "attitude_sigma_deg and attitude_covariance_deg2 that disagree");
+  EXPECT_EQ(what("[2,3,4]").what, "");
+  EXPECT_DOUBLE_EQ(attitude(what("[2,3,4]")).covariance(0, 1), degree * degree);
+}
+
 TEST(Answer, AHeadingMayHaveCountedItsTurns) {
   for (const auto& [heading, same] : {std::pair{"725", 5.0}, {"-350", 10.0}, {"270", -90.0}}) {
     const auto answer = with(R"("roll_deg":1,"heading_deg":)" + std::string(heading));

@@ -110,6 +110,7 @@ TEST(CampaignProgram, AFailedRunIsNamedAndResumeRunsItAgainAlone) {
   write(switched, "");
   const auto second = drydock(command + " --resume");
   EXPECT_EQ(second.exit_code, 0) << second.output;
+  EXPECT_THAT(second.output, HasSubstr(": 6 of 6 runs, 5 of them from before, seed "));
   EXPECT_EQ(lines_in(log), 7u);
   EXPECT_THAT(column(folder / "out" / "results.sqlite", "SELECT y FROM runs ORDER BY \"index\""),
               testing::ElementsAre("0.0", "1.0", "2.0", "3.0", "4.0", "5.0"));

@@ -24,6 +24,7 @@ TEST(OutsideEstimator, AnOffsetIsItsErrorAndItsSquareOverTheSigmaTheNees) {
   EXPECT_NEAR(mine.whole_run->pitch_rms_deg, 2, 1e-9);
   EXPECT_NEAR(mine.whole_run->pitch_max_deg, 2, 1e-9);
   EXPECT_NEAR(mine.whole_run->nees_mean, (1 + 4) / 2.0, 1e-9);
+  EXPECT_THAT(to_text(summary), testing::HasSubstr("pitch 2.000 deg RMS, NEES 2.50"));
   EXPECT_TRUE(std::isnan(mine.whole_run->settling_s)) << "2 degrees off to the end";
   EXPECT_NEAR(mine.rate_hz.value(), 100, 0.1);
   EXPECT_EQ(mine.valid_share, 1.0);

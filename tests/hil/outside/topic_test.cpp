@@ -59,6 +59,17 @@ void set_diagonal(double (&covariance)[36], const std::array<double, 6>& varianc
   for (std::size_t i = 0; i < 6; ++i) covariance[7 * i] = variances[i];
 }
 
+TEST(OutsideTopic, AMatrixThatIsNoCovarianceMakesNoEstimate) {
+  external::TopicPeer peer(options(bus::OutsideType::odometry, external::Gives::navigation));
+  const auto estimates = heard<bus::OdometryMessage>(peer, "odom", [](auto& message) {
+    message.pose.pose.orientation = {0, 0, 0, 1};
+    set_diagonal(message.pose.covariance, {1, 1, 1, 1, 1, 1});
+    message.pose.covariance[1] = 0.9;  // and nothing below the diagonal
+  });
+  EXPECT_TRUE(estimates.empty());
+  EXPECT_EQ(peer.account().faults(), 1U);
+}
+
 TEST(OutsideTopic, AnOdometryIsTurnedToNorthEastDown) {
   external::TopicPeer peer(options(bus::OutsideType::odometry, external::Gives::navigation));
   const auto estimates = heard<bus::OdometryMessage>(peer, "odom", [](auto& message) {

@@ -44,7 +44,7 @@ std::vector<Divergence> checked(References expected, double tolerance, int other
 }
 
 TEST(References, NameEveryValueOfAMessage) {
-  const auto layout = record::parse_definition(depth_topic.schema);
+  const auto layout = record::parse_definition(depth_topic.schema, depth_topic.type);
   ASSERT_TRUE(layout);
   const auto values = values_of(*layout, message(3.25, 1e-300));
   ASSERT_EQ(values.size(), 3u);

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iomanip>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "hil/bench/run.hpp"
 #include "hil/score/read_estimates.hpp"
@@ -33,7 +34,8 @@ class Scored : public testing::Test {
   }
   static void TearDownTestSuite() { std::filesystem::remove_all(folder); }
 
-  static nlohmann::json scored(const std::string& file, const std::string& topic = {}) {
+  static nlohmann::json scored(const std::string& file, const std::string& topic = {},
+                               int code = 0) {
     ScoreOptions options;
     options.estimates = folder + "/" + file;
     options.truth = folder + "/run.mcap";
@@ -42,7 +44,7 @@ class Scored : public testing::Test {
     char* text = nullptr;
     std::size_t size = 0;
     std::FILE* out = ::open_memstream(&text, &size);
-    EXPECT_EQ(score(options, out, stderr), 0);
+    EXPECT_EQ(score(options, out, stderr), code);
     std::fclose(out);
     const auto json = nlohmann::json::parse(std::string(text, size));
     std::free(text);
@@ -87,6 +89,36 @@ TEST_F(Scored, TheTruthItselfAsACsvIsOffByItsOffset) {
   EXPECT_TRUE(json["nees"].is_null());
   EXPECT_TRUE(json["attitude_deg"].is_null());
   EXPECT_TRUE(json["notes"].empty());
+}
+
+/// What a call without a result says in its JSON.
+TEST_F(Scored, WithoutATruthForAnyEstimateItSaysWhy) {
+  const auto notes_of = [](const std::string& text) {
+    std::ofstream(folder + "/none.csv") << "t_s,north_m,east_m,down_m\n" << text;
+    return scored("none.csv", {}, 1)["notes"].dump();
+  };
+  EXPECT_THAT(notes_of(""), testing::HasSubstr("there are no estimates in the file"));
+  EXPECT_THAT(notes_of("0.5,1,2,3\n1.5,1,2,3\n"),
+              testing::HasSubstr("no time in common: the estimates are of 0.500 to 1.500 s since "
+                                 "1970, the truth of 1795"));
+}
+
+TEST_F(Scored, DegreesBesideOtherMetresAreSaid) {
+  const auto truth = read_truth(folder + "/run.mcap");
+  std::ofstream file(folder + "/both.csv");
+  file << "valid_at_ns,north_m,east_m,down_m,latitude_deg,longitude_deg,height_m\n"
+       << std::setprecision(17);
+  const auto& at = truth->origin;
+  constexpr double degree = std::numbers::pi / 180;
+  for (std::size_t i = 0; i < 2; ++i)  // the second is 60 m off
+    file << truth->track[i].at.time_since_epoch().count() << ",0,0,0,"
+         << at.latitude_rad / degree + (i == 1 ? 60 / 111'000. : 0) << ','
+         << at.longitude_rad / degree << ',' << at.height_m << '\n';
+  file.close();
+  EXPECT_THAT(scored("both.csv")["notes"].dump(),
+              testing::HasSubstr("latitude_deg, longitude_deg, height_m are not the place of "
+                                 "north_m, east_m, down_m, which are taken: 1 line, the first is "
+                                 "line 3"));
 }
 
 TEST_F(Scored, AFileThatIsNotInTheOrderOfTimeHasNoFigures) {

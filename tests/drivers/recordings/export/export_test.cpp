@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <sstream>
 
 #include "drivers/recordings/export/exporter.hpp"
+#include "drivers/recordings/mcap/encoder.hpp"
 #include "tests/drivers/recordings/mcap/read_back.hpp"
 #include "tests/drivers/recordings/sample_dive/sample_dive.hpp"
 
@@ -149,6 +151,29 @@ TEST_F(Export, WhatIsThereIsNotOverwrittenAndCtrlCEndsCleanly) {
   ASSERT_TRUE(ended);
   EXPECT_TRUE(ended->ended_early);
   EXPECT_LT(ended->written, counts_.frames);
+}
+
+TEST(ExportOfOthers, MessagesThatAreNotReadAreSaid) {
+  const record::test::TestFolder folder;
+  mcap::Buffer file(mcap::magic.begin(), mcap::magic.end());
+  mcap::encode(file, mcap::Header{"ros2", "rosbag2"});
+  mcap::encode(file,
+               mcap::Schema{1, "a/msg/Pair", "ros2msg", "Half left\n===\nMSG: a/Half\nint8 of\n"});
+  mcap::encode(file, mcap::Channel{1, 1, "/pair", "cdr", {}});
+  const std::vector<std::uint8_t> read{0, 1, 0, 0, 7}, big_endian{0, 0, 0, 0, 7};
+  mcap::encode(file, mcap::Message{1, 1, 9, 9, read});
+  mcap::encode(file, mcap::Message{1, 2, 9, 9, big_endian});
+  std::ofstream(folder / "bag.mcap", std::ios::binary)
+      .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
+  const auto done =
+      export_recording(folder / "bag.mcap", {}, Format::csv, {folder / "tables", false, false},
+                       [](double) { return true; });
+  ASSERT_TRUE(done) << done.error().line;
+  EXPECT_EQ(done->written, 1U);
+  EXPECT_THAT(read_all(folder / "tables/pair.csv"), HasSubstr("left.of\n0.000000009,7\n"));
+  EXPECT_THAT(done->notes,
+              testing::ElementsAre("/pair: 1 message is not read: its CDR begins with 00 00, and "
+                                   "only plain CDR, little endian (00 01) is read"));
 }
 
 }  // namespace export_test

@@ -153,5 +153,22 @@ TEST(DisguiseOfALine, WithoutARigFileBytesThatMayTellThePlaceAreDropped) {
   EXPECT_EQ(disguise.dropped().at("reads of an unknown line"), 1U);
 }
 
+/// Its position cannot be moved, because the bytes are in another order.
+TEST(DisguiseOfAFix, OfAnotherByteOrderIsDropped) {
+  Disguise disguise({{}, measurement::Geodetic{}, {}}, {}, {});
+  disguise.note(
+      {1, 1, "/gps/fix", "cdr", {}},
+      {1, "sensor_msgs/msg/NavSatFix", "ros2msg", "float64 latitude\nfloat64 longitude\n"}, {});
+  bool kept = false;
+  const auto keep = [&](const mcap::Message&) { kept = true; };
+  std::array<std::uint8_t, 20> data{0, 0};
+  disguise.apply({1, 0, 0, 0, data}, keep);
+  EXPECT_FALSE(kept);
+  EXPECT_EQ(disguise.dropped().at("sensor_msgs/msg/NavSatFix"), 1U);
+  data[1] = 1;
+  disguise.apply({1, 0, 0, 0, data}, keep);
+  EXPECT_TRUE(kept);
+}
+
 }  // namespace slice_test
 }  // namespace drydock::slice
