@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace drydock::consistency {
-namespace {
+namespace surge_test {
 
 constexpr double dt = 0.2;
 
@@ -120,5 +120,5 @@ TEST(Surge, GoesOnFromTheSpeedOfTheOthersWhereNothingTellsTheTurn) {
   EXPECT_NEAR(hull.surge.answer()->speed_mps, 1.1, 1e-9);
 }
 
-}  // namespace
+}  // namespace surge_test
 }  // namespace drydock::consistency

@@ -26,7 +26,7 @@ TEST(StuckSensor, SaysTheSameForLongerThanASteeredMotionIsKept) {
   stuck.start_s = 2;
   Schedule schedule(start);
   schedule.add(stuck);
-  const auto config = device(rig_config::DeviceKind::emlog, "nmea0183", 5);
+  const auto config = emulate::device(rig_config::DeviceKind::emlog, "nmea0183", 5);
   const auto sensor =
       *FaultyDevice::make(config, vehicle, 1, std::make_shared<const Schedule>(schedule));
   Recorder sent;
