@@ -6,8 +6,8 @@
 
 #include "drivers/capture/frame_capture.hpp"
 #include "drivers/capture/line_file.hpp"
-#include "drivers/survey/bus_guess.hpp"
-#include "drivers/survey/guess.hpp"
+#include "drivers/guess/bus_guess.hpp"
+#include "drivers/guess/guess.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 
 namespace drydock::probe {
@@ -32,7 +32,7 @@ std::string guess_bus(const Buffer& bytes) {
   capture::FrameCapture frames;
   frames.feed(bytes);
   frames.finish();
-  survey::BusGuess guess;
+  guess::BusGuess guess;
   while (const auto record = frames.next()) guess.take(record->frame, record->time);
   return guess.dbc();
 }
@@ -61,7 +61,7 @@ int describe(const std::string& file, std::FILE* out, std::FILE* err) {
     return terminal::exit_failed;
   }
   std::string guess = guess_bus(bytes), trouble;
-  if (guess.empty()) guess = survey::guess_description(line_bytes(file, bytes, trouble));
+  if (guess.empty()) guess = guess::guess_description(line_bytes(file, bytes, trouble));
   if (!trouble.empty())
     fmt::print(err, "describe: {}\n", trouble);
   else if (guess.empty())

@@ -14,6 +14,7 @@ drivers/terminal
 drivers/capture            drivers/wire
 drivers/device             drivers/wire drivers/measurement
 drivers/survey             drivers/device drivers/wire drivers/measurement
+drivers/guess              drivers/wire
 drivers/diagnosis          drivers/device drivers/wire drivers/measurement rig_config/fault_vocabulary
 drivers/link               drivers/io drivers/capture drivers/wire drivers/measurement
 drivers/shell              drivers/device drivers/link drivers/io drivers/capture drivers/wire drivers/measurement rig_config
@@ -29,7 +30,7 @@ drivers/text               drivers/wire drivers/measurement
 drivers/decode             drivers/text drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement
 drivers/doctor             drivers/terminal drivers/text drivers/link drivers/wire rig_config
 drivers/host               drivers/diagnosis drivers/shell drivers/device drivers/bus drivers/live drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
-drivers/probe              drivers/survey drivers/shell drivers/device drivers/doctor drivers/text drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement rig_config/device_description/load_description
+drivers/probe              drivers/survey drivers/guess drivers/shell drivers/device drivers/doctor drivers/text drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement rig_config/device_description/load_description
 drivers/monitor            drivers/survey drivers/doctor drivers/diagnosis drivers/host drivers/probe drivers/decode drivers/text drivers/shell drivers/device drivers/bus drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
 estimators/lanes
 estimators/frame           estimators/lanes drivers/measurement
@@ -132,10 +133,10 @@ never() { # FOLDER REGEX: system headers that FOLDER keeps out
 }
 
 io='boost/asio|dds/|fstream|iostream|filesystem|thread|mutex|sys/|unistd|toml'
-for folder in drivers/{measurement,wire,device,survey} estimators/{frame,hydrodynamics,leveling,mixing,navigation,smoothing,calibration,roll,vehicle,velocity,pipeline,consistency}; do
+for folder in drivers/{measurement,wire,device,survey,guess} estimators/{frame,hydrodynamics,leveling,mixing,navigation,smoothing,calibration,roll,vehicle,velocity,pipeline,consistency}; do
   never "$folder" "$io"
 done
-if grep -nE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' -r drivers/{wire,device,survey,measurement} estimators \
+if grep -nE '(system_clock|steady_clock)::now|\brandom_device\b|\brand\(\)' -r drivers/{wire,device,survey,guess,measurement} estimators \
   hil/{ocean,motion,sensor,sky} $(ls -d hil/study/*/ | grep -v /run/) hil/{study,characterize,validity}/*pp hil/characterize/{noise,grade,compare}; then
   echo "a clock or global randomness in a pure room"
   failed=1

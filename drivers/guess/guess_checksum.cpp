@@ -1,0 +1,87 @@
+#include "drivers/guess/guess_checksum.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+namespace drydock::guess {
+namespace {
+
+using wire::Bytes;
+using wire::described::Checksum;
+
+constexpr std::size_t most_checked = 256;
+/// Behind the sync come at most a class, an identifier and a length that a checksum leaves out.
+constexpr std::size_t furthest_start = 4;
+constexpr std::size_t most_behind = 2;  ///< CR LF, ETX
+
+const std::vector<Checksum>& all_checksums() {
+  static const auto all = [] {
+    std::vector<Checksum> made;
+    for (const std::string_view name : wire::described::checksum_names())
+      if (Checksum one; Checksum::find(name, one) && one.size() > 0) made.push_back(one);
+    return made;
+  }();
+  return all;
+}
+
+/// Frames with another checksum; empty: too many. Frames that do not change prove none.
+std::optional<std::size_t> wrong_frames(const Sum& sum, std::span<const Bytes> frames) {
+  constexpr std::size_t fewest_values = 3;
+  std::set<std::uint32_t> values;
+  std::size_t wrong = 0, seen = 0;
+  for (const Bytes frame : frames) {
+    const auto value = sum.right_in(frame);
+    wrong += !value;
+    if (value) values.insert(*value);
+    // Three wrong ones at the beginning are hardly all damaged.
+    if (wrong * 10 > frames.size() || (++seen == 3 && wrong == 3)) return {};
+  }
+  return values.size() >= fewest_values ? std::optional(wrong) : std::nullopt;
+}
+
+bool end_alike(const Frames& frames, std::size_t behind) {
+  const Bytes end = frames[0].last(std::min(behind, frames[0].size()));
+  return std::ranges::all_of(frames, [&](Bytes frame) {
+    return frame.size() >= behind && std::ranges::equal(frame.last(end.size()), end);
+  });
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> Sum::right_in(Bytes frame) const {
+  const std::size_t size = checksum.size();
+  if (frame.size() < from + size + behind + 1) return {};
+  const Bytes body = frame.first(frame.size() - size - behind).subspan(from);
+  const Bytes stored = frame.subspan(from + body.size(), size);
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < size; ++i) value = value << 8 | stored[big_endian ? i : size - 1 - i];
+  return checksum.of(body) == value ? std::optional(value) : std::nullopt;
+}
+
+std::optional<Sum> guess_checksum(const Frames& frames) {
+  const auto some = std::span(frames).first(std::min(frames.size(), most_checked));
+  std::optional<Sum> best;
+  std::size_t fewest = some.size();
+  for (std::size_t behind = 0; behind <= most_behind; ++behind) {
+    if (!end_alike(frames, behind)) continue;
+    for (const Checksum& checksum : all_checksums())
+      for (std::size_t from = 0; from <= furthest_start; ++from)
+        for (const bool big : {false, true}) {
+          if (big && checksum.size() == 1) continue;
+          const Sum sum{checksum, big, from, behind};
+          const auto wrong = wrong_frames(sum, some);
+          if (!wrong || *wrong >= fewest) continue;
+          best = sum;
+          fewest = *wrong;
+          if (fewest == 0) return best;
+        }
+  }
+  return best;
+}
+
+std::string hex_of(Bytes bytes) { return fmt::format("{:02X}", fmt::join(bytes, " ")); }
+
+}  // namespace drydock::guess

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "drivers/guess/guess_numbers.hpp"
+#include "drivers/wire/described/checksums.hpp"
+
+namespace drydock::guess {
+
+/// A checksum of a description, and where it stands.
+struct Sum {
+  wire::described::Checksum checksum;
+  bool big_endian = false;
+  std::size_t from = 0;    ///< the first byte that it covers
+  std::size_t behind = 0;  ///< bytes of the frame behind it
+
+  /// The checksum of a frame where it is right.
+  std::optional<std::uint32_t> right_in(wire::Bytes frame) const;
+  bool is_right(wire::Bytes frame) const { return right_in(frame).has_value(); }
+};
+
+/// The checksum that is right in nine of ten frames. Empty: none of the catalogue is.
+std::optional<Sum> guess_checksum(const Frames& frames);
+
+/// The bytes that end all frames behind a checksum, as a description writes them: "0D 0A".
+std::string hex_of(wire::Bytes bytes);
+
+}  // namespace drydock::guess
