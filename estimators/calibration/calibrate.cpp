@@ -102,23 +102,6 @@ Eigen::MatrixXd correlation_of(const Eigen::MatrixXd& covariance) {
   return scale.asDiagonal() * covariance * scale.asDiagonal();
 }
 
-void add_verdicts(Calibration& result, const Dive& dive) {
-  for (std::size_t i = 0; i < result.findings.size(); ++i) {
-    Finding& finding = result.findings[i];
-    double most = confusing;
-    for (std::size_t j = 0; j < result.findings.size(); ++j) {
-      const double r =
-          std::abs(result.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-      if (j == i || r < most) continue;
-      most = r;
-      finding.confused_with = static_cast<int>(j);
-    }
-    if (finding.verdict != Verdict::told)
-      finding.why = finding.confused_with >= 0 ? "it cannot be told apart from another parameter"
-                                               : reason(finding.parameter, dive);
-  }
-}
-
 Eigen::VectorXd priors_of(const std::vector<Parameter>& parameters) {
   Eigen::VectorXd prior(static_cast<Eigen::Index>(parameters.size()));
   for (std::size_t i = 0; i < parameters.size(); ++i)
@@ -161,11 +144,35 @@ void fit_again(Dive& dive, LevelOptions& options, const LevelOptions& at,
 
 }  // namespace
 
+/// Where the search did not settle, the values are not the likeliest and the bounds not theirs.
+void judge(Calibration& result, const Dive& dive) {
+  for (std::size_t i = 0; i < result.findings.size(); ++i) {
+    Finding& finding = result.findings[i];
+    if (!result.converged) {
+      finding.verdict = Verdict::not_told;
+      finding.why = "the search did not settle";
+      continue;
+    }
+    double most = confusing;
+    for (std::size_t j = 0; j < result.findings.size(); ++j) {
+      const double r =
+          std::abs(result.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+      if (j == i || r < most) continue;
+      most = r;
+      finding.confused_with = static_cast<int>(j);
+    }
+    if (finding.verdict != Verdict::told)
+      finding.why = finding.confused_with >= 0 ? "it cannot be told apart from another parameter"
+                                               : reason(finding.parameter, dive);
+  }
+}
+
 Calibration calibrate(Dive& dive, LevelOptions options, const std::vector<Parameter>& parameters,
                       const std::vector<smoothing::UnstatedNoise>& unstated, bool fit) {
   Calibration result;
   result.noise_factors.assign(unstated.size(), 1);
   options.sigmas.heading_bias_rad = 0;
+  options.sigmas.bottom_scale = options.sigmas.log_scale = 0;
   options.motion.heading_bias_rad = 0;
   if (fit) fit_again(dive, options, options, unstated, result.noise_factors);
   Maximum found =
@@ -184,7 +191,7 @@ Calibration calibrate(Dive& dive, LevelOptions options, const std::vector<Parame
     result.findings.push_back(
         finding_of(parameters[i], found.value(k), std::sqrt(found.covariance(k, k))));
   }
-  add_verdicts(result, dive);
+  judge(result, dive);
   return result;
 }
 

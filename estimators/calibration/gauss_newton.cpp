@@ -72,22 +72,30 @@ MatrixXd covariance_of(const Slopes& slopes) {
   return information.llt().solve(unit);
 }
 
+/// What lies beside the maximum.
+struct Beside {
+  VectorXd wider;       ///< factor on each bound
+  bool better = false;  ///< somewhere
+};
+
 /// How much wider the bound of each number is than that of a likelihood with constant curvature: by
 /// how much -2 ln rises one sigma beside the maximum, on the ridge along which the other numbers
 /// follow. 1 is the rise of a parabola.
-VectorXd widening(const Problem& problem, const VectorXd& x, double cost,
-                  const MatrixXd& covariance) {
-  VectorXd factors(x.size());
+Beside look_beside(const Problem& problem, const VectorXd& x, double cost,
+                   const MatrixXd& covariance) {
+  Beside found{VectorXd(x.size())};
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const VectorXd ridge = covariance.col(i) / std::sqrt(covariance(i, i));
     double rise = 0;
     for (const double side : {-1.0, 1.0}) {
       const VectorXd beside = x + side * ridge;
-      rise += (Problem::cost(problem.at(beside), beside) - cost) / 2;
+      const double higher = Problem::cost(problem.at(beside), beside) - cost;
+      found.better |= higher < 0;
+      rise += higher / 2;
     }
-    factors(i) = 1 / std::sqrt(std::clamp(rise, flattest, 1.0));
+    found.wider(i) = 1 / std::sqrt(std::clamp(rise, flattest, 1.0));
   }
-  return factors;
+  return found;
 }
 
 }  // namespace
@@ -118,8 +126,9 @@ Maximum most_likely(const ResidualsAt& residuals, const VectorXd& prior_sigma,
   }
   covariance =
       covariance_of(smoother_of(problem.slopes(x, here, step), problem.slopes(x, here, -step)));
-  const VectorXd wider = widening(problem, x, Problem::cost(here, x), covariance);
-  covariance = wider.asDiagonal() * covariance * wider.asDiagonal();
+  const auto beside = look_beside(problem, x, Problem::cost(here, x), covariance);
+  result.converged |= !beside.better;
+  covariance = beside.wider.asDiagonal() * covariance * beside.wider.asDiagonal();
   result.value = prior_sigma.cwiseProduct(x);
   result.covariance = prior_sigma.asDiagonal() * covariance * prior_sigma.asDiagonal();
   return result;

@@ -18,7 +18,9 @@ struct Maximum {
   /// Inverse of Fisher's information, with the prior; wider where the likelihood falls less.
   Eigen::MatrixXd covariance;
   int iterations = 0;
-  bool converged = false;  ///< the last step was below a hundredth of the bounds
+  /// The last step was below a hundredth of the bounds, or nothing at one sigma beside is likelier:
+  /// a likelihood with leaps has a maximum at which no slope is zero.
+  bool converged = false;
 };
 
 /// The most likely values for normal residuals, eq. (S13), from `start` on: Gauss-Newton's method

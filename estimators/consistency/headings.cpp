@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "drivers/measurement/units.hpp"
+#include "estimators/frame/mounted.hpp"
 
 namespace drydock::consistency {
 namespace {
@@ -43,6 +44,17 @@ double slip_sigma(const Moment& moment, double speed_mps) {
   return std::hypot(unknown_slip_rad, turn * pivot_m / speed_mps);
 }
 
+/// The vehicle's heading by a DVL's own compass: that of its head, turned by the mounting and by
+/// the head's tilts, else by those of other devices, else as on a level vehicle.
+std::optional<Track<1>::Reading> body_heading(const DvlTracks& dvl, const Moment& moment) {
+  auto read = dvl.heading.at(moment.at);
+  if (!read) return {};
+  Eigen::Vector3d down = moment.down.value_or(Eigen::Vector3d::UnitZ());
+  if (const auto own = dvl.down.at(moment.at)) down = own->value.normalized();
+  read->value.x() += frame::heading_beside_sensor(down, dvl.sensor.sensor_to_body);
+  return read;
+}
+
 }  // namespace
 
 Headings::Headings(const Tracks& tracks) : tracks_(tracks) {
@@ -63,7 +75,7 @@ void Headings::see(const Moment& moment) {
     group_.see(units_[i], tracks_.units[i].heading(), tracks_.units[i].serial());
   }
   for (std::size_t i = 0; i < dvls_.size(); ++i)
-    if (const auto read = tracks_.dvls[i].heading.at(moment.at))
+    if (const auto read = body_heading(tracks_.dvls[i], moment))
       group_.see(dvls_[i], read->value.x(), read->serial);
   for (std::size_t i = 0; i < compasses_.size(); ++i)
     if (const auto read = tracks_.compasses[i].heading.at(moment.at))

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/measurement/head_tilt.hpp"
 #include "estimators/frame/earth.hpp"
+#include "estimators/frame/mounted.hpp"
 
 namespace drydock::consistency {
 namespace {
@@ -14,11 +16,6 @@ std::chrono::nanoseconds gap_of(const Sensor& sensor) {
 }
 
 Eigen::Matrix<double, 1, 1> scalar(double value) { return Eigen::Matrix<double, 1, 1>{value}; }
-
-/// Gravity in the axes of a body with these angles: the third column of C_n^b.
-Eigen::Vector3d down_of(double roll, double pitch) {
-  return {-std::sin(pitch), std::sin(roll) * std::cos(pitch), std::cos(roll) * std::cos(pitch)};
-}
 
 /// North and east of a short way at a height: dN = (R_N + h) dphi, dE = (R_E + h) cos(phi) dlambda.
 Eigen::Vector2d way(const measurement::Geodetic& from, const measurement::Geodetic& to,
@@ -58,9 +55,9 @@ void take(DvlTracks& tracks, const measurement::BottomVelocity& sample) {
   if (sample.velocity) tracks.velocity.push(at, *sample.velocity);
   if (sample.heading_rad)
     tracks.heading.push(at, scalar(tracks.unwrapped.next(*sample.heading_rad)));
-  if (sample.roll_rad && sample.pitch_rad)
-    tracks.down.push(at,
-                     tracks.sensor.sensor_to_body * down_of(*sample.roll_rad, *sample.pitch_rad));
+  if (const auto tilt = measurement::head_tilt(sample))
+    tracks.down.push(
+        at, tracks.sensor.sensor_to_body * frame::down_in_body(tilt->roll_rad, tilt->pitch_rad));
   if (!sample.depth_m) return;
   tracks.depth.push(at, scalar(*sample.depth_m));
   if (tracks.told_depth_m && *tracks.told_depth_m != *sample.depth_m) tracks.depth_changed = at;

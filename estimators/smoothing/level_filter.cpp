@@ -38,7 +38,7 @@ LevelVector start_sigma(const LevelSigmas& s, const LevelMotion& motion) {
   sigma << s.position_m, s.position_m, s.depth_m, Vector3d::Constant(s.velocity_mps), s.heading_rad,
       s.turn_radps, s.heading_bias_rad, s.current_mps, s.current_mps,
       Vector3d::Constant(singer_acceleration(motion.velocity_mps, motion.acceleration_s)),
-      swing_of(motion);
+      swing_of(motion), s.bottom_scale, s.log_scale;
   return sigma;
 }
 
@@ -198,8 +198,8 @@ LevelFilter::Rows LevelFilter::rows_of(const Reading& reading, const Tilt& tilt)
 LevelFilter::Rows LevelFilter::velocity_rows(const SensorModel& sensor, const Tilt& tilt,
                                              bool of_water) const {
   const Matrix3d level = body_to_level(tilt);
-  const Matrix3d to_sensor =
-      (1 + sensor.scale_error) * misalignment(sensor).transpose() * level.transpose();
+  const double scale = 1 + sensor.scale_error + (of_water ? state_.log_scale : state_.bottom_scale);
+  const Matrix3d to_sensor = scale * misalignment(sensor).transpose() * level.transpose();
   const Vector3d arm = swung(level * sensor.lever);
   Vector3d velocity =
       state_.velocity + state_.turn_radps * arm + moved_by_tilting(tilt, sensor.lever);
@@ -215,6 +215,7 @@ LevelFilter::Rows LevelFilter::velocity_rows(const SensorModel& sensor, const Ti
     row.expected = expected(i);
     row.slope.segment<3>(velocity_part) = to_sensor.row(i);
     row.slope(turn_part) = by_turn(i);
+    row.slope(of_water ? log_scale_part : bottom_scale_part) = expected(i) / scale;
     if (!of_water) continue;
     row.slope(heading_part) = by_heading(i);
     row.slope.segment<2>(current_part) = by_current.row(i);
@@ -222,7 +223,7 @@ LevelFilter::Rows LevelFilter::velocity_rows(const SensorModel& sensor, const Ti
   return rows;
 }
 
-/// Eq. (S10): where the antenna is expected, relative to the fix, m north and east.
+/// Eq. (S10): where the antenna is expected, relative to the fix, m north, east and down.
 LevelFilter::Rows LevelFilter::fix_rows(const Reading& reading, const SensorModel& sensor,
                                         const Tilt& tilt) const {
   const frame::Position& at = state_.position;
@@ -238,6 +239,10 @@ LevelFilter::Rows LevelFilter::fix_rows(const Reading& reading, const SensorMode
   for (int i = 0; i < 2; ++i) {
     rows[static_cast<std::size_t>(i)].slope(position_part + i) = 1;
     rows[static_cast<std::size_t>(i)].slope(heading_part) = by_heading(i);
+  }
+  if (options_.fix_heights) {
+    rows[2].expected = reading.value.z() - at.height_m + arm.z();
+    rows[2].slope(position_part + 2) = 1;
   }
   return rows;
 }

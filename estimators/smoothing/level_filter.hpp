@@ -13,14 +13,17 @@ struct LevelSigmas {
   double heading_rad = 0.2, turn_radps = 0.1;
   double heading_bias_rad = 0.02;
   double current_mps = 0.5;
+  /// Constant over a dive, and the same for all bottom tracks or logs.
+  double bottom_scale = 0, log_scale = 0;
 };
 
 struct LevelOptions {
   LevelState start;
   LevelSigmas sigmas;
   LevelMotion motion;
-  SensorModels sensors;   ///< by device; a device beyond the end has the default model
-  double gate_sigma = 5;  ///< axes with a larger normalised residual are refused; 0: no gate
+  SensorModels sensors;      ///< by device; a device beyond the end has the default model
+  bool fix_heights = false;  ///< heights of fixes are measured too; else depths tell the height
+  double gate_sigma = 5;     ///< axes with a larger normalised residual are refused; 0: no gate
 };
 
 /// The next heading from the begin of a step on. A heading that was lost is found again there.
@@ -41,7 +44,7 @@ class LevelFilter {
 
   /// Compares a reading with the state at its time, and corrects the state with the axes inside
   /// the gate. Residuals are relative to the state before the whole reading, in its units; those
-  /// of a fix are m north, east.
+  /// of a fix are m north, east, down.
   std::array<Residual, 3> update(const Reading& reading, const Tilt& tilt);
 
   const LevelState& state() const { return state_; }

@@ -126,6 +126,8 @@ Track smooth_level(const Dive& dive, const LevelOptions& options) {
   const auto keep = [&](double time_s, const LevelStep& step, const LevelFilter& filter) {
     steps.push_back(step);
     states.push_back(filter.state());
+    track.bottom_scale = filter.state().bottom_scale;
+    track.bottom_scale_sigma = std::sqrt(filter.covariance()(bottom_scale_part, bottom_scale_part));
     track.filtered.push_back(
         point_of(time_s, filter.state(), filter.covariance(), tilt_at(dive.tilts, time_s)));
   };
@@ -151,6 +153,7 @@ LevelState level_start(const Dive& dive, const frame::Position& otherwise) {
   if (const auto* fix = first(Quantity::fix)) {
     start.position.latitude_rad = fix->value.x();
     start.position.longitude_rad = fix->value.y();
+    if (std::isfinite(fix->value.z())) start.position.height_m = fix->value.z();
   }
   if (const auto* heading = first(Quantity::heading))
     start.heading_rad = frame::wrap_pi(heading->value.x());

@@ -43,6 +43,8 @@ void LevelState::add(const LevelVector& correction) {
   current += correction.segment<2>(current_part);
   acceleration += correction.segment<3>(acceleration_part);
   turn_change_radps2 += correction(turn_change_part);
+  bottom_scale += correction(bottom_scale_part);
+  log_scale += correction(log_scale_part);
 }
 
 Matrix3d heading_to_ned(double heading_rad) {

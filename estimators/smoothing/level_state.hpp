@@ -18,7 +18,9 @@ enum LevelError {
   current_part = 9,
   acceleration_part = 11,
   turn_change_part = 14,
-  level_size = 15
+  bottom_scale_part = 15,
+  log_scale_part = 16,
+  level_size = 17
 };
 using LevelVector = Eigen::Matrix<double, level_size, 1>;
 using LevelMatrix = Eigen::Matrix<double, level_size, level_size>;
@@ -30,6 +32,7 @@ struct LevelState {
   double heading_rad = 0, turn_radps = 0, turn_change_radps2 = 0;
   double heading_bias_rad = 0;                        ///< compass minus true heading
   Eigen::Vector2d current = Eigen::Vector2d::Zero();  ///< of the water, north, east, m/s
+  double bottom_scale = 0, log_scale = 0;             ///< measured / true - 1
 
   void add(const LevelVector& correction);
 };

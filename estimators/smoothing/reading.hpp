@@ -15,7 +15,8 @@ enum class Quantity : std::uint8_t { bottom, log, depth, heading, fix };
 ///   log      speed through the water, body x and y, m/s
 ///   depth    of the sensor, m, in x
 ///   heading  true heading of body x, rad, in x
-///   fix      latitude rad, longitude rad, height m of the antenna; sigma in m north, east, up
+///   fix      latitude rad, longitude rad, height m of the antenna above the ellipsoid; sigma in m
+///            north, east, up
 struct Reading {
   double time_s = 0;  ///< since the begin of the dive
   Quantity quantity = Quantity::bottom;

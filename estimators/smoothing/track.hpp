@@ -24,6 +24,8 @@ struct TrackPoint {
 struct Track {
   std::vector<TrackPoint> filtered, smoothed;
   Residuals residuals;  ///< innovations: each reading against what was known before it
+  /// What the whole dive tells of the scale of bottom track, and its sigma; 0: it was no unknown.
+  double bottom_scale = 0, bottom_scale_sigma = 0;
 };
 
 }  // namespace drydock::smoothing

@@ -16,6 +16,11 @@ namespace {
 void write_rig(const Outcome& outcome, const CalibrateOptions& options, std::FILE* err) {
   if (outcome.gathered.rig_text.empty())
     throw std::runtime_error("a capture has no rig file to write into");
+  if (!outcome.calibration.converged)
+    throw std::runtime_error(
+        "the search did not settle: nothing is written. The residuals of --report show what does "
+        "not "
+        "fit; --only leaves a sensor out");
   std::vector<std::string> notes;
   report::write_file(options.write, calibrated_rig(outcome, notes));
   for (const auto& note : notes) fmt::print(err, "{}\n", note);

@@ -64,6 +64,13 @@ Outcome calibrated(track::Gathered gathered) {
     gathered.notes.emplace_back(
         "the heading is the DVL's own: yaw is that of its beams against its compass; its mounting "
         "in the vehicle cannot be told");
+  if (gathered.own_tilts)
+    gathered.notes.emplace_back(
+        "roll and pitch are the DVL's own: pitch is that of its beams against its tilt sensors; "
+        "its "
+        "mounting in the vehicle cannot be told");
+  if (gathered.dive.tilts.empty())
+    gathered.notes.emplace_back("nothing tells roll and pitch: the vehicle is taken as level");
   const auto options = track::level_of(gathered, {});
   auto found = calibration::calibrate(gathered.dive, options, parameters, gathered.unstated);
   auto as_in_rig = found.options;

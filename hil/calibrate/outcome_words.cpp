@@ -46,10 +46,9 @@ std::string why_of(const Outcome& outcome, const Finding& finding) {
 }
 
 std::string settled_text(const calibration::Calibration& calibration) {
-  return calibration.converged
-             ? fmt::format("settled after {} iterations", calibration.iterations)
-             : fmt::format("did not settle within {} iterations: take the values with doubt",
-                           calibration.iterations);
+  return calibration.converged ? fmt::format("settled after {} iterations", calibration.iterations)
+                               : fmt::format("did not settle within {} iterations: nothing is told",
+                                             calibration.iterations);
 }
 
 }  // namespace drydock::calibrate

@@ -98,7 +98,8 @@ std::string calibrated_rig(const Outcome& outcome, std::vector<std::string>& not
   for (const auto& finding : outcome.calibration.findings) {
     if (finding.verdict != Verdict::told) continue;
     const auto& device = gathered.rig.devices.at(finding.parameter.device);
-    if (gathered.own_heading && finding.parameter.unknown <= Unknown::pitch) continue;
+    if (gathered.own_heading && finding.parameter.unknown == Unknown::yaw) continue;
+    if (gathered.own_tilts && finding.parameter.unknown == Unknown::pitch) continue;
     if (has_no_key(finding, device))
       notes.push_back(fmt::format("{}: {} has no key in a rig file", device.name,
                                   name_of(finding.parameter.unknown)));

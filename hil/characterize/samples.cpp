@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "drivers/measurement/head_tilt.hpp"
 #include "drivers/measurement/units.hpp"
 #include "drivers/measurement/water_column.hpp"
 #include "estimators/frame/attitude.hpp"
@@ -34,11 +35,10 @@ Vector3d velocity_of(const measurement::GnssFix& fix) {
           *fix.ground_speed_mps * std::sin(*fix.course_rad), absent};
 }
 
-/// Teledyne's tilt sensors give the pitch of a gimbal: docs/sensors/protocols/pd0.md.
 Vector3d attitude_of(const measurement::BottomVelocity& dvl) {
-  if (!dvl.heading_rad || !dvl.pitch_rad || !dvl.roll_rad) return nothing;
-  return {*dvl.roll_rad, std::atan(std::tan(*dvl.pitch_rad) * std::cos(*dvl.roll_rad)),
-          *dvl.heading_rad};
+  const auto tilt = measurement::head_tilt(dvl);
+  if (!dvl.heading_rad || !tilt) return nothing;
+  return {tilt->roll_rad, tilt->pitch_rad, *dvl.heading_rad};
 }
 
 /// The measured pressure, or the pressure at the measured depth in the rig's default water.

@@ -20,8 +20,11 @@ using Json = nlohmann::ordered_json;
 
 double degrees(double radians) { return radians * units::degrees_per_radian; }
 
-Json place_json(const frame::Position& p) {
-  return Json::array({degrees(p.longitude_rad), degrees(p.latitude_rad), p.height_m});
+/// A height that nobody told is left out.
+Json place_json(const frame::Position& p, bool has_height) {
+  Json place = Json::array({degrees(p.longitude_rad), degrees(p.latitude_rad)});
+  if (has_height) place.push_back(p.height_m);
+  return place;
 }
 
 double sigma_of(const TrackPoint& point, int axis) {
@@ -32,7 +35,7 @@ Json line_json(const Outcome& outcome, std::span<const TrackPoint> points) {
   Json coordinates = Json::array(), times = Json::array(), north = Json::array(),
        east = Json::array();
   for (const auto& point : points) {
-    coordinates.push_back(place_json(point.position));
+    coordinates.push_back(place_json(point.position, outcome.has_heights));
     times.push_back(utc_text(outcome.gathered.utc, point.time_s));
     north.push_back(sigma_of(point, 0));
     east.push_back(sigma_of(point, 1));
@@ -53,7 +56,8 @@ Json fix_json(const Outcome& outcome, const smoothing::Reading& fix) {
             {"time", utc_text(outcome.gathered.utc, fix.time_s)}}},
           {"geometry",
            {{"type", "Point"},
-            {"coordinates", place_json({fix.value.x(), fix.value.y(), fix.value.z()})}}}};
+            {"coordinates", place_json({fix.value.x(), fix.value.y(), fix.value.z()},
+                                       std::isfinite(fix.value.z()))}}}};
 }
 
 std::string xml_escaped(const std::string& text) {
@@ -116,8 +120,9 @@ std::string to_gpx(const Outcome& outcome, std::span<const TrackPoint> points) {
       xml_escaped(outcome.gathered.source));
   for (const auto& p : points)
     out += fmt::format(
-        "<trkpt lat=\"{:.9f}\" lon=\"{:.9f}\"><ele>{:.3f}</ele><time>{}</time></trkpt>\n",
-        degrees(p.position.latitude_rad), degrees(p.position.longitude_rad), p.position.height_m,
+        "<trkpt lat=\"{:.9f}\" lon=\"{:.9f}\">{}<time>{}</time></trkpt>\n",
+        degrees(p.position.latitude_rad), degrees(p.position.longitude_rad),
+        outcome.has_heights ? fmt::format("<ele>{:.3f}</ele>", p.position.height_m) : "",
         utc_text(outcome.gathered.utc, p.time_s));
   return out + "</trkseg></trk>\n</gpx>\n";
 }
@@ -127,16 +132,19 @@ std::string to_csv(const Outcome& outcome, std::span<const TrackPoint> points) {
       "time_s,utc,latitude_deg,longitude_deg,height_m,velocity_north_mps,velocity_east_mps,"
       "velocity_down_mps,roll_deg,pitch_deg,heading_deg,sigma_north_m,sigma_east_m,sigma_height_m,"
       "correlation_north_east,sigma_heading_deg\n";
+  const auto of_height = [&](double value) {
+    return outcome.has_heights ? fmt::format("{:.4f}", value) : std::string();
+  };
   for (const auto& p : points) {
     const double correlation = p.position_covariance(0, 1) / (sigma_of(p, 0) * sigma_of(p, 1));
     const double heading = degrees(p.attitude.yaw) + (p.attitude.yaw < 0 ? 360 : 0);
     out += fmt::format(
-        "{:.6f},{},{:.9f},{:.9f},{:.4f},{:.5f},{:.5f},{:.5f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},"
-        "{:.4f},{:.4f},{:.4f}\n",
+        "{:.6f},{},{:.9f},{:.9f},{},{:.5f},{:.5f},{:.5f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},"
+        "{},{:.4f},{:.4f}\n",
         p.time_s, utc_text(outcome.gathered.utc, p.time_s), degrees(p.position.latitude_rad),
-        degrees(p.position.longitude_rad), p.position.height_m, p.velocity_ned.x(),
+        degrees(p.position.longitude_rad), of_height(p.position.height_m), p.velocity_ned.x(),
         p.velocity_ned.y(), p.velocity_ned.z(), degrees(p.attitude.roll), degrees(p.attitude.pitch),
-        heading, sigma_of(p, 0), sigma_of(p, 1), sigma_of(p, 2),
+        heading, sigma_of(p, 0), sigma_of(p, 1), of_height(sigma_of(p, 2)),
         std::isfinite(correlation) ? correlation : 0, degrees(p.heading_sigma_rad));
   }
   return out;

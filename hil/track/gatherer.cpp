@@ -6,7 +6,6 @@
 
 #include "drivers/measurement/axis_sigma.hpp"
 #include "drivers/measurement/units.hpp"
-#include "estimators/frame/attitude.hpp"
 
 namespace drydock::track {
 namespace {
@@ -17,6 +16,8 @@ using measurement::FixType;
 // First guesses of noise that nobody states; it is fitted.
 constexpr double usual_bottom_mps = 0.02, usual_log_mps = 0.05, usual_depth_m = 0.1;
 constexpr double usual_heading_rad = 1 * units::degree, usual_fix_m = 2.5;
+/// A receiver's height errs about so many times as much as an axis of its position: chosen.
+constexpr double usual_height_ratio = 2;
 /// A stated accuracy below this is no accuracy.
 constexpr double least_sigma = 1e-4;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -28,6 +29,18 @@ std::optional<Vector3d> sigma_of(const std::optional<Eigen::Matrix3d>& covarianc
   return sigma;
 }
 
+std::optional<Vector3d> sigma_of(const measurement::GnssFix& fix) {
+  const auto axis = measurement::axis_sigma_m(fix);
+  if (!axis || !(*axis >= least_sigma)) return {};
+  const double height = fix.vertical_accuracy_m.value_or(0);
+  return Vector3d{*axis, *axis, height >= least_sigma ? height : usual_height_ratio * *axis};
+}
+
+/// Above the ellipsoid; a fix in two dimensions has none.
+double height_of(const measurement::GnssFix& fix) {
+  return fix.type == FixType::two_d ? unknown : fix.ellipsoidal_height_m.value_or(unknown);
+}
+
 std::optional<Vector3d> sigma_of(const std::optional<double>& sigma) {
   if (!sigma || !(*sigma >= least_sigma)) return {};
   return Vector3d::Constant(*sigma);
@@ -37,20 +50,10 @@ bool is_position(FixType type) {
   return type == FixType::two_d || type == FixType::three_d || type == FixType::gnss_and_dr;
 }
 
-/// The body's attitude from that of a sensor's own axes.
-frame::Euler of_body(const frame::Euler& of_sensor, const rig_config::DeviceConfig& device) {
-  const auto [roll, pitch, yaw] = device.mounting_rad;
-  return frame::euler(frame::body_to_ned(of_sensor) *
-                      frame::body_to_ned({roll, pitch, yaw}).conjugate());
-}
-
 }  // namespace
 
 Gatherer::Gatherer(const rig_config::Rig& rig, std::optional<std::uint16_t> inertial)
-    : rig_(rig), inertial_(inertial) {
-  has_compass_ = std::ranges::any_of(
-      rig.devices, [](const auto& device) { return device.kind == measurement::Kind::attitude; });
-}
+    : rig_(rig), inertial_(inertial), attitudes_(rig) {}
 
 double Gatherer::time_of(Stamp at) {
   if (!started_) gathered_.start = at;
@@ -69,9 +72,9 @@ void Gatherer::on_truth(const host::Estimate& truth) {
 }
 
 void Gatherer::add(Quantity quantity, const measurement::Origin& origin, const Vector3d& value,
-                   const std::optional<Vector3d>& sigma, double usual) {
-  gathered_.dive.readings.push_back({time_of(origin.valid_at), quantity, origin.device, value,
-                                     sigma.value_or(Vector3d::Constant(usual))});
+                   const std::optional<Vector3d>& sigma, const Vector3d& usual) {
+  gathered_.dive.readings.push_back(
+      {time_of(origin.valid_at), quantity, origin.device, value, sigma.value_or(usual)});
   auto& unstated = gathered_.unstated;
   const auto same = [&](const smoothing::UnstatedNoise& one) {
     return one.quantity == quantity && one.device == origin.device;
@@ -79,9 +82,9 @@ void Gatherer::add(Quantity quantity, const measurement::Origin& origin, const V
   if (!sigma && std::ranges::none_of(unstated, same)) unstated.push_back({quantity, origin.device});
 }
 
-void Gatherer::add_tilt(const measurement::Origin& origin, double roll, double pitch) {
-  if (!std::isfinite(roll) || !std::isfinite(pitch)) return;
-  tilts_[origin.device].push_back({time_of(origin.valid_at), roll, pitch});
+void Gatherer::add(Quantity quantity, const measurement::Origin& origin, const Vector3d& value,
+                   const std::optional<Vector3d>& sigma, double usual) {
+  add(quantity, origin, value, sigma, Vector3d::Constant(usual));
 }
 
 void Gatherer::hear(const measurement::BottomVelocity& track) {
@@ -93,13 +96,7 @@ void Gatherer::hear(const measurement::BottomVelocity& track) {
   } else {
     pass_over("DVL without bottom track");
   }
-  if (has_compass_ || !track.heading_rad || !track.pitch_rad || !track.roll_rad) return;
-  if (track.origin.device >= rig_.devices.size()) return;
-  const auto attitude = of_body({*track.roll_rad, *track.pitch_rad, *track.heading_rad},
-                                rig_.devices[track.origin.device]);
-  gathered_.own_heading = true;
-  add(Quantity::heading, track.origin, {attitude.yaw, 0, 0}, {}, usual_heading_rad);
-  add_tilt(track.origin, attitude.roll, attitude.pitch);
+  attitudes_.hear(time_of(track.origin.valid_at), track);
 }
 
 void Gatherer::hear(const measurement::WaterSpeed& speed) {
@@ -116,8 +113,7 @@ void Gatherer::hear(const measurement::DepthSample& sample) {
 }
 
 void Gatherer::hear(const measurement::AttitudeSample& sample) {
-  if (sample.roll_rad && sample.pitch_rad)
-    add_tilt(sample.origin, *sample.roll_rad, *sample.pitch_rad);
+  attitudes_.hear(time_of(sample.origin.valid_at), sample);
   if (sample.true_heading_rad && std::isfinite(*sample.true_heading_rad))
     return add(Quantity::heading, sample.origin, {*sample.true_heading_rad, 0, 0}, {},
                usual_heading_rad);
@@ -128,9 +124,8 @@ void Gatherer::hear(const measurement::GnssFix& fix) {
   if (fix.utc && !utc_ahead_) utc_ahead_ = *fix.utc - fix.origin.valid_at;
   if (!fix.position || !is_position(fix.type)) return pass_over("GNSS without fix");
   add(Quantity::fix, fix.origin,
-      {fix.position->latitude_rad, fix.position->longitude_rad,
-       fix.ellipsoidal_height_m.value_or(0)},
-      sigma_of(measurement::axis_sigma_m(fix)), usual_fix_m);
+      {fix.position->latitude_rad, fix.position->longitude_rad, height_of(fix)}, sigma_of(fix),
+      Vector3d{usual_fix_m, usual_fix_m, usual_height_ratio * usual_fix_m});
 }
 
 void Gatherer::hear(const measurement::ImuSample& sample) {
@@ -141,15 +136,25 @@ void Gatherer::hear(const measurement::ImuSample& sample) {
       {time_of(sample.origin.valid_at), sample.angular_rate, sample.specific_force});
 }
 
+/// The heading of a head counts only where no compass told one.
+void Gatherer::take_attitudes() {
+  auto tilts = attitudes_.tilts();
+  gathered_.own_tilts = tilts.of_dvl;
+  if (std::ranges::find(gathered_.dive.readings, Quantity::heading,
+                        &smoothing::Reading::quantity) == gathered_.dive.readings.end())
+    for (const auto& heading : attitudes_.of_heads(tilts.all)) {
+      gathered_.own_heading = true;
+      add(Quantity::heading, heading.origin, {heading.rad, 0, 0}, {}, usual_heading_rad);
+    }
+  gathered_.dive.tilts = std::move(tilts.all);
+}
+
 Gathered Gatherer::take() {
+  take_attitudes();
   auto& dive = gathered_.dive;
   std::ranges::stable_sort(dive.readings, {}, &smoothing::Reading::time_s);
   std::ranges::stable_sort(dive.inertial, {}, &smoothing::InertialReading::time_s);
   std::ranges::stable_sort(gathered_.truth, {}, &TruthPoint::time_s);
-  const auto most = std::ranges::max_element(
-      tilts_, {}, [](const auto& of_device) { return of_device.second.size(); });
-  if (most != tilts_.end()) dive.tilts = std::move(most->second);
-  std::ranges::stable_sort(dive.tilts, {}, &smoothing::Tilt::time_s);
   gathered_.rig = rig_;
   gathered_.utc = gathered_.start;
   if (utc_of_receiver_ && utc_ahead_) gathered_.utc += *utc_ahead_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/host/follower.hpp"
+#include "hil/track/attitudes.hpp"
 #include "hil/track/gathered.hpp"
 
 namespace drydock::track {
@@ -33,18 +34,20 @@ class Gatherer final : public host::Follower {
 
   /// Adds a reading; `sigma` empty: the sensor does not state it, and `usual` is a first guess.
   void add(Quantity quantity, const measurement::Origin& origin, const Eigen::Vector3d& value,
+           const std::optional<Eigen::Vector3d>& sigma, const Eigen::Vector3d& usual);
+  void add(Quantity quantity, const measurement::Origin& origin, const Eigen::Vector3d& value,
            const std::optional<Eigen::Vector3d>& sigma, double usual);
-  void add_tilt(const measurement::Origin& origin, double roll, double pitch);
+  void take_attitudes();
   double time_of(Stamp at);
   void pass_over(const std::string& reason) { ++gathered_.passed_over[reason]; }
 
   const rig_config::Rig& rig_;
   std::optional<std::uint16_t> inertial_;
-  bool has_compass_ = false, utc_of_receiver_ = false;
+  bool utc_of_receiver_ = false;
   bool started_ = false;
   std::optional<std::chrono::nanoseconds> utc_ahead_;  ///< of the times of the measurements
   Gathered gathered_;
-  std::map<std::uint16_t, std::vector<smoothing::Tilt>> tilts_;  ///< by device
+  Attitudes attitudes_;
 };
 
 }  // namespace drydock::track

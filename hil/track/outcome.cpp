@@ -12,6 +12,7 @@
 
 #include "drivers/measurement/units.hpp"
 #include "estimators/smoothing/level_smoother.hpp"
+#include "hil/track/doubts.hpp"
 
 namespace drydock::track {
 namespace {
@@ -205,13 +206,15 @@ void add_figures(Outcome& outcome) {
   outcome.duration_s = points.back().time_s - points.front().time_s;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Eigen::Matrix2d p = points[k].position_covariance.topLeftCorner<2, 2>();
-    const double largest = p.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff();
+    const double largest = p.trace() / 2 + std::hypot((p(0, 0) - p(1, 1)) / 2, p(1, 0));
     outcome.worst_sigma_m = std::max(outcome.worst_sigma_m, std::sqrt(largest));
     if (k == 0) continue;
     const double dt = points[k].time_s - points[k - 1].time_s;
     outcome.distance_m += points[k].velocity_ned.head<2>().norm() * dt;
   }
   outcome.sensors = residuals_of(outcome.gathered, outcome.track.residuals);
+  for (auto& doubt : doubts_of(outcome.gathered, outcome.track))
+    outcome.notes.push_back(std::move(doubt));
   outcome.truth = against_truth(outcome);
 }
 
@@ -245,6 +248,9 @@ Outcome smoothed(Gathered gathered, Model model, const std::optional<frame::Posi
         "no inertial track: the rig needs an estimator of kind navigation or velocity, for start "
         "and grade of the IMU, and samples from the recording's begin on");
   outcome.gathered = std::move(gathered);
+  outcome.has_heights = can || tells_height(outcome.gathered.dive);
+  if (!outcome.has_heights)
+    outcome.notes.emplace_back("nothing tells the height: the track has none");
   if (can && model != Model::level) {
     smooth_with_imu(outcome, *setup);
   } else {

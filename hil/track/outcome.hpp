@@ -30,7 +30,8 @@ struct TruthFigures {
 
 struct Outcome {
   Gathered gathered;
-  bool inertial = false;  ///< the model that was used
+  bool inertial = false;     ///< the model that was used
+  bool has_heights = false;  ///< something measured them; else those of the track mean nothing
   smoothing::Track track;
   std::vector<SensorResiduals> sensors;
   std::optional<TruthFigures> truth;

@@ -79,14 +79,18 @@ Figure sigma_figure(const Outcome& outcome) {
   return figure;
 }
 
-Figure depth_figure(const Outcome& outcome) {
-  Figure figure{"Depth", "time, s", "m below the surface", {}};
-  figure.y_down = true;
+Figure height_figure(const Outcome& outcome) {
+  const bool is_depth = has(outcome.gathered.dive, smoothing::Quantity::depth);
+  Figure figure{is_depth ? "Depth" : "Height",
+                "time, s",
+                is_depth ? "m below the surface" : "m above the ellipsoid",
+                {}};
+  figure.y_down = is_depth;
   Curve curve{"smoother", {}, {}};
   const auto& points = outcome.track.smoothed;
   for (std::size_t k = 0; k < points.size(); k += stride_of(points.size())) {
     curve.x.push_back(points[k].time_s);
-    curve.y.push_back(-points[k].position.height_m);
+    curve.y.push_back((is_depth ? -1 : 1) * points[k].position.height_m);
   }
   figure.curves.push_back(curve);
   return figure;
@@ -139,7 +143,8 @@ report::Table sensor_table(const Outcome& outcome) {
 std::string to_html(const Outcome& outcome) {
   std::string body =
       "<pre>" + report::html::escaped(to_text(outcome)) + "</pre>\n" +
-      report::html::figure(map_of(outcome)) + report::html::figure(depth_figure(outcome)) +
+      report::html::figure(map_of(outcome)) +
+      (outcome.has_heights ? report::html::figure(height_figure(outcome)) : std::string()) +
       report::html::figure(sigma_figure(outcome)) + report::to_html(sensor_table(outcome));
   for (const auto& sensor : outcome.sensors)
     if (sensor.unused < sensor.readings)

@@ -1,6 +1,7 @@
 #include "hil/track/setup.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "drivers/measurement/units.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
@@ -11,6 +12,10 @@ namespace {
 
 /// Of a compass that was not swung: chosen.
 constexpr double heading_bias_rad = 2 * units::degree;
+/// Of a DVL whose speed of sound nobody measured, 15 m/s: chosen.
+constexpr double bottom_scale = 0.01;
+/// Of a log that was not calibrated on a measured way: chosen.
+constexpr double log_scale = 0.05;
 constexpr double exact_m = 0.01;
 
 std::vector<Eigen::Vector3d> levers_of(const rig_config::Rig& rig) {
@@ -51,10 +56,21 @@ bool has(const smoothing::Dive& dive, smoothing::Quantity quantity) {
          dive.readings.end();
 }
 
+bool tells_height(const smoothing::Dive& dive) {
+  return std::ranges::any_of(dive.readings, [](const smoothing::Reading& reading) {
+    return reading.quantity == smoothing::Quantity::depth ||
+           reading.quantity == smoothing::Quantity::bottom ||
+           (reading.quantity == smoothing::Quantity::fix && std::isfinite(reading.value.z()));
+  });
+}
+
 smoothing::LevelOptions level_of(const Gathered& gathered, const frame::Position& origin) {
   smoothing::LevelOptions options;
   options.start = smoothing::level_start(gathered.dive, origin);
   options.sigmas.heading_bias_rad = heading_bias_rad;
+  options.sigmas.bottom_scale = bottom_scale;
+  options.sigmas.log_scale = log_scale;
+  options.fix_heights = !has(gathered.dive, smoothing::Quantity::depth);
   if (!has(gathered.dive, smoothing::Quantity::fix)) options.sigmas.position_m = exact_m;
   if (!has(gathered.dive, smoothing::Quantity::log)) {
     options.sigmas.current_mps = 0;

@@ -24,5 +24,7 @@ std::optional<InertialSetup> inertial_of(const rig_config::Rig& rig);
 smoothing::LevelOptions level_of(const Gathered& gathered, const frame::Position& origin);
 
 bool has(const smoothing::Dive& dive, smoothing::Quantity quantity);
+/// A depth, a velocity with its vertical axis, or the height of a fix.
+bool tells_height(const smoothing::Dive& dive);
 
 }  // namespace drydock::track

@@ -1,3 +1,4 @@
+#include <limits>
 #include <stdexcept>
 
 #include "drivers/host/rig_recorder.hpp"
@@ -23,7 +24,8 @@ host::Estimate estimate_of(const Outcome& outcome, const smoothing::TrackPoint& 
   n.valid_at = outcome.gathered.utc + measurement::from_seconds(point.time_s);
   n.latitude_rad = point.position.latitude_rad;
   n.longitude_rad = point.position.longitude_rad;
-  n.height_m = point.position.height_m;
+  n.height_m =
+      outcome.has_heights ? point.position.height_m : std::numeric_limits<double>::quiet_NaN();
   n.offset_ned = frame::ned_offset(outcome.track.smoothed.front().position, point.position);
   n.velocity_ned = point.velocity_ned;
   n.body_to_ned = frame::body_to_ned(point.attitude);

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "drivers/measurement/axis_sigma.hpp"
+#include "drivers/measurement/head_tilt.hpp"
+#include "estimators/frame/mounted.hpp"
 #include "estimators/pipeline/reckoning/dead_reckoning_estimator.hpp"
 
 /// What dead reckoning takes beside the speeds: attitude, depth, fixes.
@@ -23,25 +25,19 @@ void take_angle(const std::optional<double>& told, double& angle) {
 }  // namespace
 
 /// The DVL's own compass and tilt sensors count only where no other ones tell the same. They are
-/// those of its head.
+/// those of its head. Where it tells no tilts, the vehicle is as level as it was told last.
 void DeadReckoningEstimator::note_attitude(const measurement::BottomVelocity& track) {
-  frame::Euler head;
-  if (track.roll_rad && track.pitch_rad) {
-    take_angle(track.roll_rad, head.roll);
-    take_angle(track.pitch_rad, head.pitch);
-  }
-  const bool own_heading =
-      !options_.heading && track.heading_rad && std::isfinite(*track.heading_rad);
-  if (own_heading) head.yaw = *track.heading_rad + options_.variation_rad;
-  // The rows of these matrices are the axes of head and body in NED.
-  const auto body =
-      frame::euler(Eigen::Matrix3d(options_.dvl->sensor_to_body * frame::ned_to_body(head)));
-  if (!tilt_told_) {
+  const auto& mounting = options_.dvl->sensor_to_body;
+  if (const auto head = measurement::head_tilt(track); head && !tilt_told_) {
+    const auto body = frame::of_body({head->roll_rad, head->pitch_rad, 0}, mounting);
     attitude_.roll = body.roll;
     attitude_.pitch = body.pitch;
   }
-  if (!own_heading) return;
-  note_heading(body.yaw, track.origin.valid_at);
+  if (options_.heading || !track.heading_rad || !std::isfinite(*track.heading_rad)) return;
+  const auto down = frame::down_in_body(attitude_.roll, attitude_.pitch);
+  const double turn = frame::heading_beside_sensor(down, mounting);
+  note_heading(frame::wrap_pi(*track.heading_rad + options_.variation_rad + turn),
+               track.origin.valid_at);
 }
 
 Outcome DeadReckoningEstimator::take(const measurement::AttitudeSample& sample, EstimateListener&) {

@@ -73,6 +73,19 @@ TEST(Calibrate, SaysWhichTwoParametersHideEachOther) {
   EXPECT_GT(std::abs(found.correlation(0, 2)), 0.99);
 }
 
+TEST(Calibrate, ASearchThatDoesNotSettleTellsNothing) {
+  Calibration result;
+  result.findings.push_back({both[0], yaw, 0.01 * yaw, Verdict::told, {}, -1});
+  result.correlation = Eigen::MatrixXd::Identity(1, 1);
+  result.converged = true;
+  judge(result, {});
+  EXPECT_EQ(result.findings[0].verdict, Verdict::told);
+  result.converged = false;
+  judge(result, {});
+  EXPECT_EQ(result.findings[0].verdict, Verdict::not_told);
+  EXPECT_EQ(result.findings[0].why, "the search did not settle");
+}
+
 TEST(Parameters, LeaveTheConstantOfACompassOutBesideADvl) {
   const auto dvl = parameters_of(drawn(Voyage(30), 1).dive);
   const auto log = parameters_of(drawn(Voyage(30), 1, 0.3).dive);

@@ -55,6 +55,28 @@ TEST(GaussNewton, FindsAParameterThatOnlyTheSigmaHas) {
   EXPECT_NEAR(found.covariance(0, 0), 1.0 / 16, 1e-4);
 }
 
+/// |x| has its minimum at a place where its slope leaps from -1 to 1: no step gets smaller there,
+/// and still nothing beside it is likelier.
+TEST(GaussNewton, AMaximumWithALeapOfTheSlopeIsSettled) {
+  const auto found = most_likely(
+      [](const VectorXd& x) {
+        return white(VectorXd::Constant(1, std::sqrt(1000 * std::abs(x(0) - 0.3))));
+      },
+      VectorXd::Constant(1, 10), VectorXd::Zero(1));
+  EXPECT_NEAR(found.value(0), 0.3, 0.05);
+  EXPECT_TRUE(found.converged);
+}
+
+/// A leap just above 0 turns the search away from 10, where it should go.
+TEST(GaussNewton, ASearchThatStopsWhereAPlaceBesideItIsLikelierDidNotSettle) {
+  const auto found = most_likely(
+      [](const VectorXd& x) {
+        return white(VectorXd::Constant(1, x(0) > 0 && x(0) < 0.02 ? 20 : 10 - x(0)));
+      },
+      VectorXd::Constant(1, 10), VectorXd::Zero(1));
+  EXPECT_FALSE(found.converged);
+}
+
 TEST(GaussNewton, WhatNoResidualTouchesKeepsItsPrior) {
   const auto found =
       most_likely([](const VectorXd& x) { return white(VectorXd::Constant(1, x(0) - 1)); },

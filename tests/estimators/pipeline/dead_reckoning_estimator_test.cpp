@@ -92,6 +92,46 @@ TEST(DeadReckoning, TheDvlsOwnAttitudeIsThatOfItsHead) {
   EXPECT_NEAR(run.offset().z(), 100, 1e-2);
 }
 
+/// A head at 45 degrees on a vehicle whose bow is 30 degrees down. By the elementary rotations its
+/// bow axis is asin(sin 30 cos 45) down, which its pitch sensor reads as more since it is heeled,
+/// and points atan(tan 45 / cos 30) from the vehicle's.
+TEST(DeadReckoning, AHeadBetweenBowAndStarboardTellsTheAttitudeOfTheVehicle) {
+  const double pitch = -30 * degree, slant = 45 * degree;
+  ReckoningOptions options = by_dvl();
+  options.dvl->sensor_to_body << std::cos(slant), -std::sin(slant), 0, std::sin(slant),
+      std::cos(slant), 0, 0, 0, 1;
+  Reckoning run(options);
+  for (int s = 0; s <= 100; ++s) {
+    auto diving =
+        track(1000 * s, {2, 0, 0}, 20 * degree + std::atan(std::tan(slant) / std::cos(pitch)));
+    // The sensors read the tilt of an axis each: asin of its part along gravity, and the heel.
+    diving.roll_rad = std::atan2(std::sin(pitch) * std::sin(slant), std::cos(pitch));
+    diving.pitch_rad = std::atan2(std::sin(pitch) * std::cos(slant), std::cos(pitch));
+    run.take(diving);
+  }
+  EXPECT_NEAR(run.offset().head<2>().norm(), 200 * std::sqrt(0.75), 1e-2);
+  EXPECT_NEAR(std::atan2(run.offset().y(), run.offset().x()), 20 * degree, 1e-5);
+  EXPECT_NEAR(run.offset().z(), 100, 1e-2);
+}
+
+/// A head that stands 20 degrees nose up in the vehicle and tells no tilts: the vehicle is level,
+/// not the head.
+TEST(DeadReckoning, WithoutTiltsTheVehicleIsTakenAsLevel) {
+  ReckoningOptions options = by_dvl();
+  options.dvl->sensor_to_body =
+      Eigen::AngleAxisd(20 * degree, Vector3d::UnitY()).toRotationMatrix();
+  Reckoning run(options);
+  for (int s = 0; s <= 100; ++s) {
+    auto untold = track(1000 * s, {2, 0, 0}, 40 * degree);
+    untold.roll_rad.reset();
+    untold.pitch_rad.reset();
+    run.take(untold);
+  }
+  EXPECT_NEAR(run.offset().z(), 0, 1e-2);
+  EXPECT_NEAR(run.offset().head<2>().norm(), 200, 1e-2);
+  EXPECT_NEAR(std::atan2(run.offset().y(), run.offset().x()), 40 * degree, 1e-5);
+}
+
 TEST(DeadReckoning, ADepthSensorGivesTheDepthOfTheOrigin) {
   ReckoningOptions options = by_dvl();
   options.depth = at(depth_device, {0, 0, 0.5});

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <limits>
+#include <random>
 
 #include "estimators/smoothing/noise_fit.hpp"
 #include "tests/estimators/smoothing/dive_of.hpp"
@@ -61,6 +62,37 @@ TEST(LevelSmoother, ItsErrorsAreAsLargeAsItsCovarianceSaysOn250DivesWithBottomTr
   const auto all = of_dives(250, 0);
   EXPECT_EQ(all.points, 250 * 8);
   EXPECT_NEAR(all.nees / all.points, 1, 0.1);
+}
+
+/// Each dive has a DVL with a scale error of its own, 1 % (1 sigma), and fixes only at its ends.
+TEST(LevelSmoother, AScaleErrorOfTheDvlIsFoundBetweenTheFixesAndPromisesNoMoreThanItKeeps) {
+  const Voyage voyage(420);
+  const LevelMotion motion = motion_of(voyage, 0);
+  constexpr double sigma = 0.01;
+  constexpr int dives = 100;
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> scale_error(0, sigma);
+  Consistency all;
+  double squares = 0;
+  std::size_t refused = 0;
+  for (int run = 0; run < dives; ++run) {
+    auto dive = drawn(voyage, 300 + static_cast<std::uint64_t>(run));
+    const double scale = scale_error(random);
+    for (auto& reading : dive.dive.readings)
+      if (reading.quantity == Quantity::bottom) reading.value *= 1 + scale;
+    auto options = options_of(dive);
+    options.motion = motion;
+    options.sigmas.bottom_scale = sigma;
+    const auto track = smooth_level(dive.dive, options);
+    all.add(track, voyage, dive.truth);
+    EXPECT_LT(track.bottom_scale_sigma, sigma / 2);
+    squares += std::pow((track.bottom_scale - scale) / track.bottom_scale_sigma, 2);
+    for (std::size_t i = 0; i < track.residuals.size(); ++i)
+      refused += dive.dive.readings[i].quantity == Quantity::fix && !track.residuals[i][0].used;
+  }
+  EXPECT_NEAR(all.nees / all.points, 1, 0.15);
+  EXPECT_NEAR(squares / dives, 1, 4 * std::sqrt(2. / dives));  // chi-square, four sigmas
+  EXPECT_EQ(refused, 0U);
 }
 
 TEST(LevelSmoother, HalvesTheErrorOfTheFilterBetweenFixes) {

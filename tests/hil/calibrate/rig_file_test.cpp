@@ -70,6 +70,13 @@ TEST(CalibratedRig, AddsWhatWasToldToWhatTheRigFileKnew) {
   EXPECT_NEAR(error[2], 3 * degree, 1e-9);
 }
 
+TEST(CalibratedRig, ThePitchOfBeamsAgainstTheirOwnTiltSensorsIsNoMounting) {
+  auto outcome = told({{log_of_rig, Unknown::pitch, 2 * degree}});
+  outcome.gathered.own_tilts = true;
+  std::vector<std::string> notes;
+  EXPECT_EQ(calibrated_rig(outcome, notes), rig_text);
+}
+
 TEST(CalibratedRig, WhatWasNotToldStaysAsItIs) {
   auto outcome = told({{log_of_rig, Unknown::scale, 0.02}});
   outcome.calibration.findings[0].verdict = Verdict::weakly;

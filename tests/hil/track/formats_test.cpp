@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -11,6 +12,7 @@ namespace {
 /// Two points of a track on the meridian of 129 degrees east, half a second apart, and a fix.
 Outcome two_points() {
   Outcome outcome;
+  outcome.has_heights = true;
   outcome.gathered.source = "a<b&c.mcap";
   outcome.gathered.utc = outcome.gathered.start =
       measurement::stamp_from_ns(1'795'248'000'000'000'000);
@@ -68,6 +70,20 @@ TEST(TrackFormats, EveryLineOfACsvHasTheColumnsOfTheFirst) {
   EXPECT_EQ(last,
             "0.500000,2026-11-21T08:00:00.500Z,36.000000000,129.000000000,-12.5000,1.50000,"
             "0.00000,0.00000,0.0000,0.0000,270.0000,2.0000,3.0000,1.0000,0.5000,0.0000");
+}
+
+/// RFC 7946, section 3.1.1: a position has two elements, and a third one if there is a height.
+TEST(TrackFormats, AHeightThatNobodyToldIsLeftOut) {
+  auto outcome = two_points();
+  outcome.has_heights = false;
+  outcome.gathered.dive.readings[0].value.z() = std::numeric_limits<double>::quiet_NaN();
+  const auto points = thinned(outcome, 0);
+  const auto json = nlohmann::json::parse(to_geojson(outcome, points));
+  EXPECT_EQ(json["features"][0]["geometry"]["coordinates"][0].size(), 2U);
+  EXPECT_EQ(json["features"][1]["geometry"]["coordinates"].size(), 2U);
+  EXPECT_EQ(to_gpx(outcome, points).find("<ele>"), std::string::npos);
+  EXPECT_NE(to_csv(outcome, points).find(",129.000000000,,1.50000,"), std::string::npos);
+  EXPECT_NE(to_csv(outcome, points).find(",2.0000,3.0000,,0.5000,"), std::string::npos);
 }
 
 TEST(TrackFormats, AThinnedTrackKeepsItsLastPoint) {

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
 
 #include "drivers/recordings/record/recording.hpp"
 #include "hil/bench/run.hpp"
@@ -149,6 +151,61 @@ TEST_F(TrackOfARun, OfAReceiverHasTheUtcThatItTells) {
   std::ifstream gpx(options.out);
   const std::string written{std::istreambuf_iterator<char>(gpx), {}};
   EXPECT_NE(written.find("<time>2024-03-02T23:59:50.000Z</time>"), std::string::npos) << written;
+}
+
+std::string content_of(const std::string& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// 425.0 and 425.1 m above the sea, and the geoid 41.7 m above the ellipsoid: 466.7 and 466.8 m.
+TEST_F(TrackOfARun, OfAReceiverHasItsHeightAboveTheEllipsoid) {
+  TrackOptions options;
+  options.source.capture = file("gga.nmea");
+  options.source.protocol = "nmea0183";
+  options.source.kind = "gnss";
+  std::ofstream(options.source.capture)
+      << "$GPGGA,100000.00,5230.0000,N,01320.0000,E,4,12,0.8,425.0,M,41.7,M,,*66\r\n"
+         "$GPGGA,100001.00,5230.0000,N,01320.0000,E,4,12,0.8,425.1,M,41.7,M,,*66\r\n"
+         "$GPGGA,100002.00,5230.0000,N,01320.0000,E,4,12,0.8,425.0,M,41.7,M,,*64\r\n"
+         "$GPGGA,100003.00,5230.0000,N,01320.0000,E,4,12,0.8,425.1,M,41.7,M,,*64\r\n"
+         "$GPGGA,100004.00,5230.0000,N,01320.0000,E,4,12,0.8,425.0,M,41.7,M,,*62\r\n"
+         "$GPGGA,100005.00,5230.0000,N,01320.0000,E,4,12,0.8,425.1,M,41.7,M,,*62\r\n"
+         "$GPGGA,100006.00,5230.0000,N,01320.0000,E,4,12,0.8,425.0,M,41.7,M,,*60\r\n"
+         "$GPGGA,100007.00,5230.0000,N,01320.0000,E,4,12,0.8,425.1,M,41.7,M,,*60\r\n";
+  options.out = file("gga.csv");
+  const auto [code, text] = run(options);
+  ASSERT_EQ(code, 0) << text;
+  std::istringstream csv(content_of(options.out));
+  std::string line;
+  std::getline(csv, line);
+  int points = 0;
+  for (; std::getline(csv, line); ++points) {
+    std::vector<std::string> cells;
+    std::istringstream in(line);
+    for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+    EXPECT_NEAR(std::stod(cells.at(4)), 466.75, 0.2) << line;
+    EXPECT_LT(std::stod(cells.at(13)), 5) << "the sigma of the receiver's height, not of none";
+  }
+  EXPECT_GE(points, 7);
+}
+
+/// RMC tells no height.
+TEST_F(TrackOfARun, WithoutAHeightHasNone) {
+  TrackOptions options;
+  options.source.capture = file("flat.nmea");
+  options.source.protocol = "nmea0183";
+  options.source.kind = "gnss";
+  std::ofstream(options.source.capture)
+      << "$GPRMC,235950.00,A,4130.0,N,07042.0,W,3.9,0.0,020324,,,A*4E\r\n"
+         "$GPRMC,235951.00,A,4130.0,N,07042.0,W,3.9,0.0,020324,,,A*4F\r\n"
+         "$GPRMC,235952.00,A,4130.0,N,07042.0,W,3.9,0.0,020324,,,A*4C\r\n"
+         "$GPRMC,235953.00,A,4130.0,N,07042.0,W,3.9,0.0,020324,,,A*4D\r\n";
+  options.out = file("flat.gpx");
+  const auto [code, text] = run(options);
+  ASSERT_EQ(code, 0) << text;
+  EXPECT_NE(text.find("nothing tells the height"), std::string::npos) << text;
+  EXPECT_EQ(content_of(options.out).find("<ele>"), std::string::npos);
 }
 
 TEST_F(TrackOfARun, SaysWhyThereIsNoTrack) {
