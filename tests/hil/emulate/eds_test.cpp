@@ -38,7 +38,7 @@ struct Variable {
   bool mappable = false;
 };
 
-constexpr std::uint8_t node = 1;
+constexpr std::uint8_t own_node = 1;
 
 unsigned bits_of(const std::string& data_type) {
   switch (std::stoul(data_type, nullptr, 16)) {
@@ -54,7 +54,7 @@ std::uint32_t number(std::string text) {
   constexpr std::string_view of_node = "$NODEID+";
   const bool relative = text.starts_with(of_node);
   if (relative) text.erase(0, of_node.size());
-  return static_cast<std::uint32_t>(std::stoul(text, nullptr, 0)) + (relative ? node : 0);
+  return static_cast<std::uint32_t>(std::stoul(text, nullptr, 0)) + (relative ? own_node : 0);
 }
 
 std::vector<Variable> variables_of(const std::string& name) {
@@ -90,7 +90,7 @@ unsigned mapped_bits(std::uint32_t mapping) { return mapping & 0xFF; }
 std::optional<canopen::SdoValue> ask(EmulatedDevice& device, Recorder& sent,
                                      const canopen::ObjectEntry& entry) {
   sent.frames.clear();
-  device.receive(canopen::encode(canopen::SdoRead{node, entry}), sent.now, sent);
+  device.receive(canopen::encode(canopen::SdoRead{own_node, entry}), sent.now, sent);
   if (sent.frames.size() != 1) return {};
   const auto answer = canopen::decode_sdo_response(sent.frames[0].frame);
   const auto* value = answer ? std::get_if<canopen::SdoValue>(&*answer) : nullptr;
@@ -128,8 +128,8 @@ TEST_P(EdsOf, WhatIsMappedIsAnsweredAsItWasLastSent) {
   const auto device_under_test = make();
   Recorder sent;
   sent.run(*device_under_test, start);
-  device_under_test->receive(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, node}), start,
-                             sent);
+  device_under_test->receive(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, own_node}),
+                             start, sent);
   sent.run(*device_under_test, at_s(0.35));
   std::map<std::uint32_t, wire::CanFrame> last;
   for (const auto& message : sent.frames) last[message.frame.id] = message.frame;
@@ -137,7 +137,7 @@ TEST_P(EdsOf, WhatIsMappedIsAnsweredAsItWasLastSent) {
   std::map<std::uint32_t, std::size_t> compared;  // bytes of each PDO
   for (const Variable& v : variables_of(std::get<0>(GetParam()))) {
     if (!is_mapping(v)) continue;
-    const auto id = canopen::tpdo_id((v.entry.index & 0xFFU) + 1, node);
+    const auto id = canopen::tpdo_id((v.entry.index & 0xFFU) + 1, own_node);
     ASSERT_TRUE(last.contains(id));
     const auto value = ask(*device_under_test, sent, mapped_entry(*v.value));
     ASSERT_TRUE(value) << std::hex << *v.value;
