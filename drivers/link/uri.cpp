@@ -133,6 +133,9 @@ boost::system::result<Uri, UriError> parse_uri(std::string_view text) {
     return wrong(text, std::string(form->name) + " needs " + std::string(form->target) +
                            ", for example " + std::string(form->example));
   if (std::string problem = check_whole(uri); !problem.empty()) return wrong(text, problem);
+  const std::string_view format = uri.text_of("format");
+  if (uri.scheme == Scheme::gateway && !format.empty() && format != "ydwg")
+    uri.query["listen"] = "1";  // the others take no frames
   return uri;
 }
 

@@ -18,27 +18,23 @@ namespace {
 constexpr std::string_view default_format = "ydwg";  // the one that takes frames too
 constexpr std::size_t most_echoes = 64;
 
-class OnlyHeard final : public ErrorWords {
+class NoLine final : public ErrorWords {
  public:
   const char* name() const noexcept override { return "gateway"; }
   std::string message(int) const override {
-    return "this gateway's lines are only heard: frames are sent by format=ydwg (RAW of Yacht "
-           "Devices), with 29-bit identifiers";
+    return "a gateway's line carries only frames with 29-bit identifiers and at most 8 bytes";
   }
 };
 
-ErrorCode only_heard() {
-  static const OnlyHeard category;
+ErrorCode no_line() {
+  static const NoLine category;
   return {1, category};
 }
 
 class GatewayLink final : public FrameLink {
  public:
   GatewayLink(std::unique_ptr<ByteLink> line, std::string_view format)
-      : line_(std::move(line)),
-        lines_(capture::find_format(format)),
-        takes_frames_(format == default_format),
-        written_(most_echoes) {}
+      : line_(std::move(line)), lines_(capture::find_format(format)), written_(most_echoes) {}
 
   Task<ReceivedFrame> read() override;
   Task<void> write(const wire::CanFrame& frame) override;
@@ -52,7 +48,6 @@ class GatewayLink final : public FrameLink {
 
   std::unique_ptr<ByteLink> line_;
   capture::FrameCapture lines_;
-  bool takes_frames_;
   Stamp at_{};  ///< of the last read
   std::array<std::uint8_t, 512> buffer_{};
   OwnFrames written_;  ///< the gateway says of each that it was sent
@@ -99,8 +94,8 @@ void GatewayLink::note_damage() {
 
 Task<void> GatewayLink::write(const wire::CanFrame& frame) {
   std::array<std::uint8_t, wire::gateway_line::longest> line;
-  const std::size_t size = takes_frames_ ? wire::gateway_line::encode_order(frame, line) : 0;
-  if (size == 0) co_return only_heard();
+  const std::size_t size = wire::gateway_line::encode_order(frame, line);
+  if (size == 0) co_return no_line();
   written_.add(frame);
   co_return co_await line_->write({line.data(), size});
 }

@@ -11,7 +11,8 @@ class NeverWrites final : public ErrorWords {
  public:
   const char* name() const noexcept override { return "listening"; }
   std::string message(int) const override {
-    return "this link only listens (listen=1): leave the key out to send";
+    return "this link only listens: it has listen=1, or is a gateway of which only format=ydwg "
+           "takes frames";
   }
 };
 

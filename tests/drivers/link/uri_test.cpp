@@ -62,6 +62,9 @@ TEST(Uri, AGatewayRunsOverAnyByteLinkAndItsDatagramsComeToAPortOfThisComputer) {
   const Uri udp = parse_uri("gateway:udp:0.0.0.0:2000").value();
   EXPECT_EQ(line_under(udp).text, "udp:0.0.0.0:2000?listen=1");
   EXPECT_TRUE(parse_uri("gateway:pty:bus").value().emulated());
+  EXPECT_FALSE(tcp.only_listens());
+  for (const char* text : {"gateway:tcp:h:1?format=actisense", "gateway:tcp:h:1?format=ikonvert"})
+    EXPECT_TRUE(parse_uri(text).value().only_listens()) << "it takes no frames: " << text;
   EXPECT_EQ(error_of("gateway:tcp:h:1?format=asc"),
             "\"gateway:tcp:h:1?format=asc\": bad format \"asc\"; allowed: ydwg actisense ikonvert");
 }
