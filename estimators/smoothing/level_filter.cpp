@@ -149,7 +149,8 @@ std::array<Residual, 3> LevelFilter::update(const Reading& reading, const Tilt& 
     double residual = reading.quantity == Quantity::fix ? -rows[axis].expected
                                                         : reading.value(i) - rows[axis].expected;
     if (reading.quantity == Quantity::heading) residual = frame::wrap_pi(residual);
-    residuals[axis] = take(rows[axis], residual, reading.sigma(i) * reading.sigma(i), errors);
+    residuals[axis] = take(rows[axis], residual, reading.sigma(i) * reading.sigma(i),
+                           reading.quantity == Quantity::fix, errors);
   }
   state_.add(errors);
   correction_ += errors;
@@ -160,7 +161,8 @@ std::array<Residual, 3> LevelFilter::update(const Reading& reading, const Tilt& 
   return residuals;
 }
 
-Residual LevelFilter::take(const Row& row, double residual, double variance, LevelVector& errors) {
+Residual LevelFilter::take(const Row& row, double residual, double variance, bool tells_scale,
+                           LevelVector& errors) {
   const LevelVector cross = p_ * row.slope;
   const double of_state = row.slope.dot(cross), expected = of_state + variance;
   const double innovation = residual - row.slope.dot(errors);
@@ -171,9 +173,13 @@ Residual LevelFilter::take(const Row& row, double residual, double variance, Lev
     result.used = false;
     return result;
   }
-  errors += innovation / expected * cross;
+  const auto scales = p_.block<2, 2>(bottom_scale_part, bottom_scale_part).eval();
+  LevelVector gain = cross / expected;
+  if (!tells_scale) gain.segment<2>(bottom_scale_part).setZero();
+  errors += innovation * gain;
   const LevelVector root = cross / result.sigma;
   p_.noalias() -= root * root.transpose();
+  if (!tells_scale) p_.block<2, 2>(bottom_scale_part, bottom_scale_part) = scales;
   return result;
 }
 

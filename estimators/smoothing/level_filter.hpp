@@ -73,7 +73,11 @@ class LevelFilter {
   Rows velocity_rows(const SensorModel& sensor, const Tilt& tilt, bool of_water) const;
   Rows fix_rows(const Reading& reading, const SensorModel& sensor, const Tilt& tilt) const;
   Row heading_row(const SensorModel& sensor) const;
-  Residual take(const Row& row, double residual, double variance, LevelVector& errors);
+  /// Without `tells_scale` the scales are uncertain but not corrected. A speed and a scale
+  /// multiply, so a linear filter would learn from each new estimate of the speed what nothing told
+  /// it.
+  Residual take(const Row& row, double residual, double variance, bool tells_scale,
+                LevelVector& errors);
   const SensorModel& sensor(std::uint16_t device) const;
 
   const LevelOptions& options_;

@@ -95,6 +95,17 @@ TEST(LevelSmoother, AScaleErrorOfTheDvlIsFoundBetweenTheFixesAndPromisesNoMoreTh
   EXPECT_EQ(refused, 0U);
 }
 
+/// A speed and a scale that are both unknown multiply: only a way between fixes tells them apart.
+TEST(LevelSmoother, WithoutFixesTheScaleStaysAsUncertainAsItWas) {
+  auto dive = drawn(Voyage(420), 5);
+  std::erase_if(dive.dive.readings, [](const Reading& r) { return r.quantity == Quantity::fix; });
+  auto options = options_of(dive);
+  options.sigmas.bottom_scale = 0.01;
+  const auto track = smooth_level(dive.dive, options);
+  EXPECT_EQ(track.bottom_scale, 0);
+  EXPECT_EQ(track.bottom_scale_sigma, 0.01);
+}
+
 TEST(LevelSmoother, HalvesTheErrorOfTheFilterBetweenFixes) {
   for (const double current_sigma : {0.0, 0.3}) {
     const auto all = of_dives(20, current_sigma);

@@ -26,7 +26,8 @@ inline std::filesystem::path gnss_corpus() {
 }
 
 /// The toe of walker.rnx.
-inline const GpsTime walker_toe =
-    gps_time(std::chrono::sys_days{std::chrono::year{2026} / 11 / 21}, std::chrono::hours{10});
+constexpr GpsTime walker_toe{std::chrono::sys_days{std::chrono::year{2026} / 11 / 21} -
+                             std::chrono::sys_days{std::chrono::year{1980} / 1 / 6} +
+                             std::chrono::hours{10}};
 
 }  // namespace drydock::sky::test
