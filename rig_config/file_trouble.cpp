@@ -46,7 +46,8 @@ std::string file_trouble(const std::string& path) {
   const auto status = std::filesystem::status(path, error);
   if (error) return error.message();
   if (std::filesystem::is_directory(status)) return "is a folder, not a file";
-  if (!std::filesystem::is_regular_file(status)) return "";
+  // Opening a pipe may wait for ever, and a device may never end.
+  if (!std::filesystem::is_regular_file(status)) return "is a device or a pipe, not a file";
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in) return std::strerror(errno);

@@ -34,6 +34,7 @@ std::string nearest_file(const std::string& path) {
   const fs::path asked(path);
   std::error_code error;
   if (fs::exists(asked, error)) return "";
+  if (fs::exists(path + ".toml", error)) return " (did you mean '" + path + ".toml'?)";
   auto names = names_beside(asked);
   const bool bare_word = !asked.has_parent_path();
   if (bare_word) add_shipped(names);

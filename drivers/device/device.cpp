@@ -216,6 +216,9 @@ Vitals Device::vitals() const {
           .last_message_at = last_message_at_,
           .last_error = last_error_,
           .reopened = opened > 0 ? opened - 1 : 0,
+          .link_up_since = life_cycle_.link_up_since(),
+          .link_broken_since = life_cycle_.link_broken_since(),
+          .link_failures = life_cycle_.link_failures(),
           .bytes_not_text = bytes_not_text_,
           .error_frames = error_frames_,
           .impossible = impossible_};

@@ -18,8 +18,10 @@ struct Vitals {
   std::uint64_t held_bytes = 0;   ///< waiting for the rest of a frame
   std::optional<double> rate_hz;  ///< rate of its fastest kind of measurement, while streaming
   std::optional<Stamp> last_message_at;
-  Reason last_error;           ///< empty: none so far
-  std::uint32_t reopened = 0;  ///< how often the link was opened again
+  Reason last_error;                                      ///< empty: none so far
+  std::uint32_t reopened = 0;                             ///< how often the link was opened again
+  std::optional<Stamp> link_up_since, link_broken_since;  ///< as LifeCycle says
+  std::uint32_t link_failures = 0;  ///< how often it could not be opened or broke off
   std::uint64_t bytes_not_text =
       0;                           ///< of those on a line, all of them: neither printed nor an end
   std::uint64_t error_frames = 0;  ///< from the CAN controller

@@ -15,6 +15,10 @@ LifeCycle::Change LifeCycle::enter(State to, Stamp now, std::string_view why) {
   state_ = to;
   since_ = now;
   reopening_ = false;
+  if (to == State::closed) {
+    link_up_since_.reset();
+    link_broken_since_.reset();
+  }
   why_ = change.why;
   return change;
 }
@@ -29,6 +33,12 @@ LifeCycle::Change LifeCycle::back_off(Stamp now, std::string_view reason) {
   return enter(State::backing_off, now, why.view());
 }
 
+void LifeCycle::note_broken_link(Stamp now) {
+  link_up_since_.reset();
+  if (!link_broken_since_) link_broken_since_ = now;
+  ++link_failures_;
+}
+
 LifeCycle::Change LifeCycle::start(Stamp now) {
   if (state_ != State::closed) return {};
   next_back_off_ = {};
@@ -38,6 +48,8 @@ LifeCycle::Change LifeCycle::start(Stamp now) {
 LifeCycle::Change LifeCycle::opened(Stamp now) {
   link_open_ = true;
   listens_since_ = now;
+  if (!link_up_since_ && state_ != State::closed) link_up_since_ = now;
+  link_broken_since_.reset();
   if (reopening_) {
     reopening_ = false;
     ++opened_count_;
@@ -54,6 +66,7 @@ LifeCycle::Change LifeCycle::opened(Stamp now) {
 
 LifeCycle::Change LifeCycle::open_failed(Stamp now, std::string_view reason) {
   if (!wants_open()) return {};
+  note_broken_link(now);
   return back_off(now, reason);
 }
 
@@ -69,6 +82,7 @@ LifeCycle::Change LifeCycle::message(Stamp now) {
 LifeCycle::Change LifeCycle::link_lost(Stamp now, std::string_view reason) {
   link_open_ = false;
   if (!uses_link() || reopening_) return {};
+  note_broken_link(now);
   return back_off(now, reason);
 }
 
@@ -81,6 +95,8 @@ void LifeCycle::clock_stepped(std::chrono::nanoseconds step) {
   since_ += step;
   last_message_ += step;
   listens_since_ += step;
+  if (link_up_since_) *link_up_since_ += step;
+  if (link_broken_since_) *link_broken_since_ += step;
 }
 
 Reason LifeCycle::silence(Stamp now) const {

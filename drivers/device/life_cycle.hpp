@@ -82,6 +82,12 @@ class LifeCycle {
   bool wants_close() const { return link_open_ && (reopening_ || !uses_link()); }
   std::optional<Stamp> deadline() const;
   std::uint32_t opened_count() const { return opened_count_; }
+  /// A message could have come since then. Opening the link again because nothing comes changes
+  /// nothing. Empty: the link is broken or closed.
+  std::optional<Stamp> link_up_since() const { return link_up_since_; }
+  /// The link could not be opened, or broke off. Empty: it is there, or it was closed on purpose.
+  std::optional<Stamp> link_broken_since() const { return link_broken_since_; }
+  std::uint32_t link_failures() const { return link_failures_; }
   Reason status(Stamp now) const;  ///< the present state in words
   bool uses_link() const {
     return state_ == State::waiting || state_ == State::streaming || state_ == State::stale;
@@ -90,6 +96,7 @@ class LifeCycle {
  private:
   Change enter(State to, Stamp now, std::string_view why);
   Change back_off(Stamp now, std::string_view reason);
+  void note_broken_link(Stamp now);
   Reason silence(Stamp now) const;
 
   LifeCycleOptions options_;
@@ -101,7 +108,8 @@ class LifeCycle {
   bool reopening_ = false;  ///< in place, and not yet open
   bool shares_link_ = false, recording_ended_ = false;
   Stamp listens_since_{};  ///< for a line that is opened again in place
-  std::uint32_t opened_count_ = 0;
+  std::uint32_t opened_count_ = 0, link_failures_ = 0;
+  std::optional<Stamp> link_up_since_, link_broken_since_;
   std::chrono::nanoseconds next_back_off_{0};  ///< zero: the first back-off
   std::chrono::nanoseconds waits_{0};          ///< length of the current back-off
 };

@@ -11,7 +11,7 @@ namespace drydock::diagnosis {
 /// One number that speaks for a finding: "yaw rate 31 deg/s, at most 12".
 struct Evidence {
   Sign sign = Sign::silent;
-  double value = 0, limit = 0;
+  double value = 0, limit = 0;  ///< on the same side of zero
   std::string_view quantity, unit;
 };
 
@@ -25,6 +25,7 @@ struct Finding {
   double confidence = 0;       ///< 0 to 1: how sure the word is; 1 - confidence is not the risk of
                                ///< a false alarm, which each monitor keeps by itself
   boost::container::static_vector<Evidence, 4> evidence;
+  std::string_view advice;  ///< with static storage; empty: that of the cause
 };
 
 /// Hears findings when they begin, when their cause gets a better word, and when they are over.

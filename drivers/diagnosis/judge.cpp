@@ -1,7 +1,9 @@
 #include "drivers/diagnosis/judge.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
+#include <utility>
 
 namespace drydock::diagnosis {
 namespace {
@@ -36,10 +38,13 @@ std::chrono::milliseconds memory_of(Sign sign) {
   }
 }
 
+/// A sign that began so long after a finding was known is of another trouble.
+constexpr std::chrono::seconds same_trouble{3};
+
 void add_evidence(Finding& finding, const Symptom& symptom) {
-  if (finding.evidence.size() < finding.evidence.capacity())
-    finding.evidence.push_back(
-        {symptom.sign, symptom.value, symptom.limit, symptom.quantity, symptom.unit});
+  if (finding.evidence.size() == finding.evidence.capacity()) return;
+  const double limit = symptom.value < 0 ? -std::abs(symptom.limit) : symptom.limit;
+  finding.evidence.push_back({symptom.sign, symptom.value, limit, symptom.quantity, symptom.unit});
 }
 
 /// What decided comes first, then the others.
@@ -76,19 +81,31 @@ void Judge::see(const Symptom& symptom) {
   }
 }
 
+/// Events that were last seen while another sign decided are part of what that sign told: they make
+/// no finding of their own when it is over.
+void Judge::forget_explained(Case& one) {
+  if (!one.finding || find(one, one.decided_by) != one.signs.end()) return;
+  const auto last = std::remove_if(one.signs.begin(), one.signs.end(), [&](const Symptom& symptom) {
+    return symptom.at <= one.decided_at;
+  });
+  one.signs.erase(last, one.signs.end());
+}
+
 void Judge::settle(Stamp now) {
   for (std::size_t device = 0; device < cases_.size(); ++device) {
     Case& one = cases_[device];
     if (one.signs.empty() && !one.finding) continue;
     forget_old(one, now);
+    forget_explained(one);
     const std::span<const Symptom> signs{one.signs.data(), one.signs.size()};
     const auto verdict = verdict_on(signs);
     if (one.finding && verdict && verdict->cause == one.finding->cause) {
       renew_durations(*one.finding, signs);
+      note_decided(one, verdict->by);
       continue;
     }
-    const auto since = end(one, now);
-    if (verdict) begin(one, static_cast<std::uint16_t>(device), *verdict, since, now);
+    const auto before = end(one, now);
+    if (verdict) begin(one, static_cast<std::uint16_t>(device), *verdict, before, now);
   }
 }
 
@@ -96,28 +113,39 @@ void Judge::end_all(Stamp until) {
   for (Case& one : cases_) end(one, until);
 }
 
-std::optional<Stamp> Judge::end(Case& one, Stamp now) {
+std::optional<Finding> Judge::end(Case& one, Stamp now) {
   if (!one.finding) return {};
-  const Stamp since = one.finding->since;
   one.finding->until = now;
   to_.on_finding(*one.finding);
-  one.finding.reset();
-  return since;
+  return std::exchange(one.finding, {});
 }
 
 void Judge::begin(Case& one, std::uint16_t device, const Verdict& verdict,
-                  std::optional<Stamp> since, Stamp now) {
+                  const std::optional<Finding>& before, Stamp now) {
   const std::span<const Symptom> signs{one.signs.data(), one.signs.size()};
   Finding& finding = one.finding.emplace();
   finding.device = device;
   finding.cause = verdict.cause;
   finding.confidence = verdict.confidence;
-  // A better word is about the same trouble.
-  const Stamp seen = std::ranges::find(signs, verdict.by, &Symptom::sign)->since;
-  finding.since = since ? std::min(*since, seen) : seen;
+  const Symptom& decided = *find(one, verdict.by);
+  finding.since = decided.since;
+  // A better word is about the same trouble, unless that began when the first was long known.
+  if (before && decided.since - before->found <= same_trouble)
+    finding.since = std::min(before->since, decided.since);
   finding.found = now;
+  finding.advice = decided.advice;
+  note_decided(one, verdict.by);
   fill_evidence(finding, signs, verdict.by);
   to_.on_finding(finding);
+}
+
+Judge::Signs::const_iterator Judge::find(const Case& one, Sign sign) {
+  return std::ranges::find(one.signs, sign, &Symptom::sign);
+}
+
+void Judge::note_decided(Case& one, Sign by) {
+  one.decided_by = by;
+  one.decided_at = find(one, by)->at;
 }
 
 void Judge::forget_old(Case& one, Stamp now) {

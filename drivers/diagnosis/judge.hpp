@@ -27,15 +27,21 @@ class Judge final : public SymptomSink {
   const Finding* open(std::uint16_t device) const;
 
  private:
+  using Signs = boost::container::static_vector<Symptom, 40>;
   struct Case {
-    boost::container::static_vector<Symptom, 40> signs;  ///< each sign once, the latest of each
+    Signs signs;  ///< each sign once, the latest of each
     std::optional<Finding> finding;
+    Sign decided_by = Sign::silent;  ///< about the finding
+    Stamp decided_at{};              ///< when that sign was seen last
   };
+  static Signs::const_iterator find(const Case& one, Sign sign);
+  static void note_decided(Case& one, Sign by);
   static void forget_old(Case& one, Stamp now);
-  /// Returns since when the ended finding was there.
-  std::optional<Stamp> end(Case& one, Stamp now);
-  void begin(Case& one, std::uint16_t device, const Verdict& verdict, std::optional<Stamp> since,
-             Stamp now);
+  static void forget_explained(Case& one);
+  /// Returns the ended finding.
+  std::optional<Finding> end(Case& one, Stamp now);
+  void begin(Case& one, std::uint16_t device, const Verdict& verdict,
+             const std::optional<Finding>& before, Stamp now);
 
   std::vector<Case> cases_;
   FindingListener& to_;

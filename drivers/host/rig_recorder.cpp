@@ -55,6 +55,14 @@ std::vector<record::RecordedLink> links_of(const rig_config::Rig& rig) {
   return links;
 }
 
+/// How the rig's files refer to one of them. The loader may have shortened its path.
+std::string reference(const fs::path& path, const fs::path& folder) {
+  const bool as_it_stands = path.string().starts_with((folder / "").string());
+  return path.lexically_relative(as_it_stands ? folder : folder.lexically_normal())
+      .lexically_normal()
+      .string();
+}
+
 /// The rig's files as attachments. Each has the path by which the files refer to it; the rig's own
 /// file is "rig.toml".
 std::vector<mcap::Attachment> attachments_of(const rig_config::Rig& rig, std::uint64_t time) {
@@ -65,7 +73,7 @@ std::vector<mcap::Attachment> attachments_of(const rig_config::Rig& rig, std::ui
     const auto folder = fs::path(rig.file).parent_path();
     attachments.push_back({time,
                            time,
-                           own ? "rig.toml" : fs::path(path).lexically_relative(folder).string(),
+                           own ? "rig.toml" : reference(path, folder),
                            "application/toml",
                            {std::istreambuf_iterator<char>(in), {}}});
   }

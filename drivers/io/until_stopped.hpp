@@ -9,7 +9,8 @@ namespace drydock::io {
 
 /// Ends a program that runs until it is told to end: at Ctrl-C, at SIGTERM, when its terminal
 /// hangs up (a dropped ssh), when nobody reads what it prints any more (a pipe whose other end has
-/// gone), or when its time is over. A second Ctrl-C ends it at once. A signal
+/// gone), or when its time is over; and at once if such a signal has set a terminal::InterruptFlag
+/// that lives. A second Ctrl-C ends it at once. A signal
 /// before the end of a given time is noted as an early end.
 class UntilStopped {
  public:
@@ -22,6 +23,8 @@ class UntilStopped {
   bool interrupted() const { return interrupted_; }  ///< a signal ended it
 
  private:
+  void end_early(bool has_end);
+
   std::function<void()> stop_;
   boost::asio::signal_set signals_;
   boost::asio::steady_timer timer_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "drivers/survey/node_names.hpp"
+#include "drivers/text/printable.hpp"
 
 namespace drydock::probe {
 
@@ -176,7 +177,7 @@ std::vector<std::string> problems_of(const ProbeReport& report) {
 }
 
 void print_text(const ProbeReport& report, std::FILE* out) {
-  fmt::print(out, "{}: listened for {:.1f} s{}\n", report.link, report.listened_s,
+  fmt::print(out, "{}: listened for {:.1f} s{}\n", text::printable(report.link), report.listened_s,
              report.interrupted ? ", interrupted" : "");
   for (std::size_t i = 0; i < report.attempts.size(); ++i)
     print_attempt(report.attempts[i], counts(report, i), out);

@@ -48,6 +48,11 @@ InterruptFlag::~InterruptFlag() {
   if (unread.exchange(false)) forget_unread_lines();
 }
 
+bool interrupt_is_noted() {
+  const std::lock_guard lock(mutex);
+  return alive > 0 && interrupted;
+}
+
 bool InterruptFlag::set() const { return interrupted; }
 
 }  // namespace drydock::terminal

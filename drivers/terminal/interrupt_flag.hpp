@@ -19,4 +19,7 @@ class InterruptFlag {
   bool set() const;  ///< from any thread
 };
 
+/// True if a flag that lives now is set. Safe from any thread; catches no signal itself.
+bool interrupt_is_noted();
+
 }  // namespace drydock::terminal

@@ -39,7 +39,8 @@ class Group {
   /// that was silent while the vehicle turned does not know how often it did.
   explicit Group(double period = std::numeric_limits<double>::infinity()) : period_(period) {}
 
-  /// Adds a witness; its number counts from 0. A group that is full gives the number `most`.
+  /// Adds a witness; its number counts from 0. A group that is full gives the number `most`,
+  /// which stands for a witness that says nothing and is not tested.
   std::size_t add(const Devices& devices, const TestFacts& facts, const Freeze* freeze = nullptr,
                   bool kin = false);
 
@@ -48,7 +49,9 @@ class Group {
   void see(std::size_t witness, double value, std::uint64_t serial, double sigma = 0);
 
   /// The value of a witness has no memory of earlier times: after an outage its sum begins anew.
-  void restart(std::size_t witness) { witnesses_[witness].test.restart(); }
+  void restart(std::size_t witness) {
+    if (witness < witnesses_.size()) witnesses_[witness].test.restart();
+  }
 
   /// The same of all.
   void restart() {

@@ -11,23 +11,22 @@
 #include "drivers/measurement/actuator_order.hpp"
 #include "estimators/consistency/consistency.hpp"
 #include "estimators/frame/attitude.hpp"
+#include "estimators/host/port_advice.hpp"
 
 namespace drydock::host {
 namespace {
 
-double bytes_per_second(const rig_config::DeviceConfig& config) {
-  const auto uri = link::parse_uri(config.link);
-  return uri ? uri->line_rate().value_or(wire::LineRate{}).bytes_per_second() : 0;
-}
-
 diagnosis::Expected expected_of(const rig_config::DeviceConfig& config, std::size_t device) {
   const wire::Protocol* const protocol = rig_config::protocol_of(config);
+  const auto uri = link::parse_uri(config.link);
   return {.device = static_cast<std::uint16_t>(device),
           .kind = config.kind,
           .protocol = protocol != nullptr ? *protocol : wire::Protocol{},
           .nominal_rate_hz = config.rate_hz,
-          .line_bytes_per_second = bytes_per_second(config),
+          .line_bytes_per_second =
+              uri ? uri->line_rate().value_or(wire::LineRate{}).bytes_per_second() : 0,
           .stale_after = measurement::from_seconds(config.stale_after_s),
+          .port_advice = uri ? port_advice(uri->scheme) : std::string_view{},
           .address = static_cast<std::uint8_t>(config.address)};
 }
 

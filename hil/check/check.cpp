@@ -6,6 +6,7 @@
 
 #include "drivers/link/uri.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/text/printable.hpp"
 #include "estimators/hydrodynamics/model.hpp"
 #include "estimators/vehicle/vehicle.hpp"
 #include "hil/check/check_dbc.hpp"
@@ -61,8 +62,9 @@ int check(const std::vector<std::string>& files, std::FILE* out) {
       continue;
     }
     const Problems problems = problems_of(file);
-    for (const auto& problem : problems) fmt::print(out, "{}\n", to_string(problem));
-    if (problems.empty()) fmt::print(out, "{}: ok\n", file);
+    for (const auto& problem : problems)
+      fmt::print(out, "{}\n", text::printable(to_string(problem)));
+    if (problems.empty()) fmt::print(out, "{}: ok\n", text::printable(file));
     sound = sound && problems.empty();
   }
   return sound ? terminal::exit_success : terminal::exit_usage;

@@ -7,6 +7,9 @@
 #include <limits>
 #include <set>
 
+#include "drivers/diagnosis/monitors/clock_watch.hpp"
+#include "drivers/diagnosis/monitors/quantity_monitor.hpp"
+#include "drivers/diagnosis/monitors/rate_watch.hpp"
 #include "drivers/diagnosis/verdict.hpp"
 #include "drivers/link/uri.hpp"
 #include "drivers/measurement/kind.hpp"
@@ -88,6 +91,31 @@ constexpr bool needs_peer(Cause cause) {
   return std::ranges::find(all, cause) != all.end();
 }
 
+/// A monitor that learns what is usual sees nothing before it has: seconds. 0: it learns nothing.
+double learning_s(Cause cause) {
+  using enum Cause;
+  const auto of = [&](auto... causes) { return ((cause == causes) || ...); };
+  if (of(drop, duplicate, reorder, delay, jitter, slow, burst, clock_step, bus_load))
+    return measurement::seconds(diagnosis::ClockWatch::learning);
+  if (of(clock_drift)) {
+    using Watch = diagnosis::RateWatch;
+    return measurement::seconds(Watch::first_blocks * Watch::block);
+  }
+  if (of(stuck, noise, spike, bottom_lost, satellites_blocked, antenna_gain))
+    return measurement::seconds(diagnosis::QuantityMonitor::learning);
+  return 0;
+}
+
+/// Learning that took most of the time is named. A fault that began in it looks usual.
+std::string why_not_learned(Cause cause, double duration_s) {
+  constexpr double most_share = 0.5;
+  const double learns_s = learning_s(cause);
+  if (learns_s <= most_share * duration_s) return {};
+  if (duration_s <= learns_s)
+    return fmt::format("{:.0f} s are too short to learn what is usual", duration_s);
+  return fmt::format("the first {:.0f} s of {:.0f} s teach what is usual", learns_s, duration_s);
+}
+
 /// Why nobody could have seen it; empty: it would have been seen.
 std::string why_not(Cause cause, const DeviceConfig& device, const wire::Protocol& protocol,
                     const rig_config::Rig& rig, const Circumstances& with) {
@@ -105,7 +133,7 @@ std::string why_not(Cause cause, const DeviceConfig& device, const wire::Protoco
     return "no other sensor measures what it does";
   if (cause == Cause::drift && with.duration_s < shortest_for_drift_s)
     return fmt::format("{:.0f} s are too short for a slow one", with.duration_s);
-  return {};
+  return why_not_learned(cause, with.duration_s);
 }
 
 void note(std::vector<Unseen>& all, const std::string& device, Cause cause,

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/terminal/unkept_path.hpp"
 #include "rig_config/shipped.hpp"
 
 namespace drydock::example {
@@ -68,12 +69,14 @@ int start(const StartOptions& options, std::FILE* out, std::FILE* err) {
   if (!options.overwrite && std::filesystem::exists(file))
     return refuse_start(err, file + ": File exists; --overwrite replaces it",
                         terminal::exit_failed);
+  terminal::UnkeptPath made(file);
   std::ofstream to(file, std::ios::binary);
   to << *text;
   to.close();
   if (!to)
     return refuse_start(err, file + ": cannot be written: " + std::strerror(errno),
                         terminal::exit_failed);
+  made.keep();
   fmt::print(out, "{}: change it, then drydock check {}\n", file, file);
   fmt::print(out, "use it: {}\n", fmt::format(fmt::runtime(from.next), file));
   return terminal::exit_success;

@@ -10,6 +10,7 @@
 #include "drivers/capture/line_file.hpp"
 #include "drivers/probe/probe_report.hpp"
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/text/printable.hpp"
 #include "hil/info/capture_info.hpp"
 #include "hil/info/line_info.hpp"
 #include "hil/info/recording_info.hpp"
@@ -26,7 +27,7 @@ bool begins_as_mcap(const std::string& file) {
 }
 
 int refuse_info(std::FILE* err, const std::string& why) {
-  fmt::print(err, "info: {}\n", why);
+  fmt::print(err, "info: {}\n", text::printable(why));
   return terminal::exit_failed;
 }
 
@@ -51,8 +52,8 @@ int of_capture(const std::string& file, bool json, std::FILE* out) {
   if (!json && !lines.empty()) fmt::print(out, "{}", to_text(file, lines));
   const auto heard = probe::find_sensors("file:" + file + "?speed=max", 0);
   if (!on_bus && lines.empty() && !json)
-    fmt::print(out, "{}: {} bytes of a line{}\n", file, std::filesystem::file_size(file),
-               capture::has_times(file) ? "" : ", without times");
+    fmt::print(out, "{}: {} bytes of a line{}\n", text::printable(file),
+               std::filesystem::file_size(file), capture::has_times(file) ? "" : ", without times");
   json ? probe::print_json(heard, out) : probe::print_text(heard, out);
   return terminal::exit_of(on_bus || !lines.empty() ||
                            heard.confidence() > survey::Confidence::nothing);
@@ -63,8 +64,6 @@ int of_capture(const std::string& file, bool json, std::FILE* out) {
 int info(const std::string& file, bool json, std::FILE* out, std::FILE* err) {
   if (const auto why = rig_config::file_trouble(file); !why.empty())
     return refuse_info(err, file + ": " + why);
-  if (!std::filesystem::is_regular_file(file))
-    return refuse_info(err, file + ": is a device or a pipe, not a file");
   const bool recording = begins_as_mcap(file) || file.ends_with(".mcap");
   return recording ? of_recording(file, json, out, err) : of_capture(file, json, out);
 }

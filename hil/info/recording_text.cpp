@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/text/json_of_any_text.hpp"
+#include "drivers/text/printable.hpp"
 #include "hil/info/recording_info.hpp"
 #include "hil/info/utc.hpp"
 
@@ -39,8 +40,8 @@ nlohmann::json json_of(const std::map<std::string, TopicInfo>& all, record::Stam
 
 std::string to_text(const RecordingInfo& info) {
   std::string text = fmt::format("{}: MCAP recording, {:.1f} MB, {:.1f} s{}\nwritten by {}{}\n",
-                                 info.file, static_cast<double>(info.size) / 1e6, info.duration_s(),
-                                 utc::from(info.begin.time_since_epoch()),
+                                 text::printable(info.file), static_cast<double>(info.size) / 1e6,
+                                 info.duration_s(), utc::from(info.begin.time_since_epoch()),
                                  info.written_by.empty() ? "another program" : info.written_by,
                                  info.rig.empty() ? "" : ", rig " + info.rig);
   for (const auto& [link, devices] : info.devices)

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "drivers/bus/domain.hpp"
+#include "drivers/text/printable.hpp"
 #include "hil/check/check_rig.hpp"
 #include "hil/fault/injector.hpp"
 #include "rig_config/load.hpp"
@@ -33,7 +34,8 @@ void apply_environment(rig_config::Rig& rig) {
 }
 
 [[noreturn]] void refuse(const rig_config::Problems& problems) {
-  for (const auto& problem : problems) fmt::print(stderr, "{}\n", to_string(problem));
+  for (const auto& problem : problems)
+    fmt::print(stderr, "{}\n", text::printable(to_string(problem)));
   throw BadRig{};
 }
 

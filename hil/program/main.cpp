@@ -7,6 +7,7 @@
 #include "hil/program/finish.hpp"
 #include "hil/program/load_rig.hpp"
 #include "hil/program/misspelled.hpp"
+#include "hil/program/outputs.hpp"
 
 namespace {
 
@@ -36,6 +37,7 @@ int obey(CLI::App& app, program::Command& command, int argc, char** argv) try {
   if (const auto line = program::misspelled_command(app, argc, argv); !line.empty())
     return wrong_usage(line);
   app.parse(argc, argv);
+  program::spare_files(app);
   return command();
 } catch (const CLI::ExtrasError& error) {
   return wrong_usage(program::misspelled_option(app, error));

@@ -147,10 +147,20 @@ class RigReplay {
       return std::ranges::all_of(verdicts, &summary::Verdict::passed);
     }
     auto made = summary_->made();
+    if (auto verdict = verdict_on_recording()) made.verdicts.push_back(std::move(*verdict));
     made.findings = summary::accounts_of(findings_, rig(), bench_->start());
     fmt::print(options_.quiet ? out_ : err_, "{}", to_text(made));
     summary::write_files(made, {options_.json, options_.report, options_.junit}, rig().file);
     return std::ranges::all_of(made.verdicts, &summary::Verdict::passed);
+  }
+
+  /// What is missing in a recording was judged by nobody.
+  std::optional<summary::Verdict> verdict_on_recording() const {
+    if (recording_.damage().empty()) return {};
+    return summary::Verdict{.subject = "rig",
+                            .what = "recording",
+                            .measured = "damaged: " + recording_.damage(),
+                            .expected = "whole"};
   }
 
   int cannot_write() {

@@ -10,6 +10,9 @@
 namespace drydock::summary {
 namespace {
 
+/// A shorter one has nothing to judge: a run that ends at after_s ends a moment behind it.
+constexpr double least_window_s = 0.01;
+
 template <class Named>
 std::size_t index_of(const std::vector<Named>& all, const std::string& name) {
   return static_cast<std::size_t>(std::ranges::find(all, name, &Named::name) - all.begin());
@@ -94,6 +97,8 @@ void ExpectWatch::tick(measurement::Stamp now) {
   for (Window& w : windows_) {
     if (w.begun || !(w.expect->after_s > 0) || t < w.expect->after_s) continue;
     w.begun = true;
+    w.begun_s = t;
+    if (!absent_from_rig(*w.expect).empty()) continue;
     if (!counts) counts = counts_(now);
     if (!w.expect->estimator.empty()) {
       w.estimator_before = counts->estimators[index_of(rig_.estimators, w.expect->estimator)];
@@ -101,6 +106,16 @@ void ExpectWatch::tick(measurement::Stamp now) {
       w.device_before = counts->devices[index_of(rig_.devices, w.expect->device)];
     }
   }
+}
+
+/// A recording whose files are not whole is played without its estimators.
+std::string ExpectWatch::absent_from_rig(const rig_config::ExpectConfig& expect) const {
+  if (index_of(rig_.estimators, expect.estimator) == rig_.estimators.size() &&
+      !expect.estimator.empty())
+    return "this estimator does not run";
+  if (index_of(rig_.devices, expect.device) == rig_.devices.size() && !expect.device.empty())
+    return "this device does not run";
+  return {};
 }
 
 Outcome ExpectWatch::of_device(const Window& w, const Summary& summary) const {
@@ -140,7 +155,10 @@ void ExpectWatch::write(Summary& summary,
   }
   for (const Window& w : windows_) {
     Outcome found;
-    const bool came = w.begun || !(w.expect->after_s > 0);
+    found.absent = absent_from_rig(*w.expect);
+    const bool came =
+        found.absent.empty() &&
+        (!(w.expect->after_s > 0) || (w.begun && summary.duration_s - w.begun_s >= least_window_s));
     if (came && !w.expect->estimator.empty()) found = of_estimator(w, summary, at_end);
     if (came && !w.expect->device.empty()) found = of_device(w, summary);
     if (came) found.findings = findings_in(*w.expect, summary);

@@ -37,6 +37,7 @@ class ExpectWatch final : public host::Follower {
   struct Window {
     const rig_config::ExpectConfig* expect = nullptr;
     bool begun = false;
+    double begun_s = 0;
     DeviceSummary device_before;
     pipeline::EstimatorStatus estimator_before;
     std::string other_state;
@@ -49,6 +50,7 @@ class ExpectWatch final : public host::Follower {
   /// A message's time in the time of the start, which no step of the host's clock changes.
   measurement::Stamp steady(measurement::Stamp at) const { return at - stepped_; }
   bool concerns(const Window& w, std::size_t estimator, measurement::Stamp at) const;
+  std::string absent_from_rig(const rig_config::ExpectConfig& expect) const;
   Outcome of_device(const Window& w, const Summary& summary) const;
   Outcome of_estimator(const Window& w, const Summary& summary,
                        const std::vector<pipeline::EstimatorStatus>& at_end) const;

@@ -160,17 +160,20 @@ Verdict judge_findings(const std::string& subject, const rig_config::ExpectedFig
 
 std::vector<Verdict> judge(const rig_config::ExpectConfig& expect, const Outcome& found) {
   std::vector<Verdict> verdicts;
-  const auto too_short = fmt::format("none: the run ended at {:.1f} s, before after_s = {}",
-                                     found.duration_s, expect.after_s);
+  const std::string nothing =
+      !found.absent.empty()
+          ? "none: " + found.absent
+          : fmt::format("none: the run ended at {:.1f} s, {} after_s = {}", found.duration_s,
+                        found.duration_s < expect.after_s ? "before" : "with", expect.after_s);
   const std::string subject = subject_of(expect);
   if (!expect.state.empty()) {
-    verdicts.push_back(found.device ? judge_state(expect, found)
-                                    : Verdict{subject, "state", too_short, expect.state, false,
-                                              expect.state_line});
+    verdicts.push_back(
+        found.device ? judge_state(expect, found)
+                     : Verdict{subject, "state", nothing, expect.state, false, expect.state_line});
   }
   for (const auto& figure : expect.figures) {
     Value value;
-    std::string missing = too_short;
+    std::string missing = nothing;
     if (figure.name == findings_figure) {
       verdicts.push_back(judge_findings(subject, figure, found, missing));
       continue;

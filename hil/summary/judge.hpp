@@ -18,6 +18,7 @@ struct Outcome {
   std::optional<std::vector<diagnosis::FindingAccount>>
       findings;             ///< of the block's device, or of all
   double duration_s = 0;    ///< the whole run
+  std::string absent;       ///< why there is nothing to judge, if not that the run was short
   std::string other_state;  ///< "stale at 12.3 s": the first unexpected state; empty: none
 };
 

@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <filesystem>
+#include <stdexcept>
 
 #include "hil/report/write_file.hpp"
 #include "hil/summary/junit.hpp"
@@ -11,13 +12,13 @@
 namespace drydock::summary {
 
 void write_files(const Summary& summary, const SummaryFiles& files, const std::string& rig_file) {
-  std::exception_ptr first;
+  std::string errors;
   const auto write = [&](const std::filesystem::path& path, const std::string& text) {
     try {
       report::write_file(path, text);
       return true;
-    } catch (const std::exception&) {
-      if (!first) first = std::current_exception();
+    } catch (const std::exception& error) {
+      errors += (errors.empty() ? "" : "\n") + std::string(error.what());
       return false;
     }
   };
@@ -26,7 +27,7 @@ void write_files(const Summary& summary, const SummaryFiles& files, const std::s
   const auto page = std::filesystem::path(files.report) / "index.html";
   if (!files.report.empty() && write(page, to_html(summary)))
     fmt::print("report: {}\n", page.string());
-  if (first) std::rethrow_exception(first);
+  if (!errors.empty()) throw std::runtime_error(errors);
 }
 
 }  // namespace drydock::summary

@@ -11,8 +11,8 @@ struct SummaryFiles {
   std::string json, report, junit;  ///< file, folder, file
 };
 
-/// A file that cannot be written does not keep the others from being written. Throws the first
-/// error at the end. Prints where the report is.
+/// A file that cannot be written does not keep the others from being written. Throws at the end;
+/// what() has a line for each of them. Prints where the report is.
 void write_files(const Summary& summary, const SummaryFiles& files, const std::string& rig_file);
 
 }  // namespace drydock::summary

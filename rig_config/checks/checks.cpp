@@ -203,9 +203,18 @@ class RigChecks {
 
 }  // namespace
 
+std::filesystem::path short_name(const std::filesystem::path& path) {
+  std::error_code missing;
+  const auto normal = path.lexically_normal();
+  const bool same = std::filesystem::exists(path, missing)
+                        ? std::filesystem::equivalent(path, normal, missing)
+                        : !std::filesystem::exists(normal, missing);
+  return same ? normal : path;
+}
+
 std::string beside(const std::string& file, const std::string& relative) {
   const auto folder = std::filesystem::path(file).parent_path();
-  return (folder / relative).lexically_normal().string();
+  return short_name(folder / relative).string();
 }
 
 Problems check_names(const Node& root, const std::string& file, const char* group) {

@@ -5,6 +5,10 @@
 
 namespace drydock::rig_config {
 
+/// The path without "." and "..", unless that names another file: behind a symlink ".." is not the
+/// folder before it.
+std::filesystem::path short_name(const std::filesystem::path& path);
+
 /// The path of a file that `file` names relative to the folder of `file`.
 std::string beside(const std::string& file, const std::string& relative);
 

@@ -19,6 +19,30 @@ std::optional<std::string> hex_bytes(std::string text) {
   return std::string(bytes.begin(), bytes.end());
 }
 
+namespace {
+
+/// `says = { unit = 1 }`: fields of the reply and the numbers that they must have.
+template <class Add>
+void read_says(std::string_view group, const Node& table, const std::string& path,
+               const described::Description& of, described::Request& request, Add&& add) {
+  const Node* says = table.find("says");
+  if (!says) return;
+  if (group != "start") return add(*says, path + "/says", "only for requests of the start");
+  const auto& messages = of.plan.messages;
+  const auto reply = std::ranges::find(messages, request.reply, &described::Message::name);
+  if (reply == messages.end()) return add(*says, path + "/says", "it needs a 'reply'");
+  const auto fields = of.plan.fields_of(*reply);
+  for (const auto& [key, number] : says->members) {
+    if (std::ranges::find(fields, key, &described::Field::key) == fields.end())
+      add(number, path + "/says", fmt::format("{} has no field \"{}\"", request.reply, key));
+    if (number.kind != Node::Kind::number && number.kind != Node::Kind::integer)
+      add(number, path + "/says", fmt::format("{} must be a number", key));
+    request.says.push_back({key, number.number});
+  }
+}
+
+}  // namespace
+
 std::vector<described::Request> read_requests(const Node& root, const char* group,
                                               const described::Description& description,
                                               const std::string& file, Problems& problems) {
@@ -34,7 +58,7 @@ std::vector<described::Request> read_requests(const Node& root, const char* grou
     if ((text != nullptr) == (hex != nullptr)) add(table, path, "one of: 'send', 'send_hex'");
     const auto bytes = hex ? hex_bytes(hex->text) : std::optional(text ? text->text : "");
     if (hex && (!bytes || bytes->empty())) add(*hex, path, "expected pairs of hexadecimal digits");
-    described::Request request{bytes.value_or(""), {}, {}};
+    described::Request request{.bytes = bytes.value_or(""), .reply = {}, .refusal = {}, .says = {}};
     read(table, "reply", request.reply);
     read(table, "refusal", request.refusal);
     for (const char* key : {"reply", "refusal"})
@@ -44,6 +68,7 @@ std::vector<described::Request> read_requests(const Node& root, const char* grou
         add(*word, path + "/" + key, fmt::format("no message is called \"{}\"", word->text));
     if (const Node* no = table.find("refusal"); no && request.refusal == request.reply)
       add(*no, path + "/refusal", "the message that agrees cannot refuse");
+    read_says(group, table, path, description, request, add);
     requests.push_back(std::move(request));
   });
   return requests;

@@ -96,12 +96,9 @@ FileKind kind_of(const Node& root) {
 }
 
 Loaded<std::string> read_file(const std::string& path) {
-  // A device file or a pipe may never end, and a file may be larger than the memory.
-  std::error_code error;
+  std::error_code error;  // a file may be larger than the memory
   if (const auto why = file_trouble(path); !why.empty())
     return Problems{{path, 0, 0, "/", "cannot be read: " + why + nearest_file(path)}};
-  if (!fs::is_regular_file(path, error))
-    return Problems{{path, 0, 0, "/", "cannot be read: is a device or a pipe, not a file"}};
   auto why = no_text_trouble(path);
   const auto size = fs::file_size(path, error);
   if (size > largest_file)

@@ -22,7 +22,7 @@ std::string resolved(const std::string& link, const std::string& rig_file) {
   const std::size_t query = std::min(link.find('?'), link.size());
   const std::filesystem::path target = link.substr(scheme.size(), query - scheme.size());
   const auto full = std::filesystem::path(rig_file).parent_path() / target;
-  return std::string(scheme) + full.lexically_normal().string() + link.substr(query);
+  return std::string(scheme) + short_name(full).string() + link.substr(query);
 }
 
 AceinnaConfig build_aceinna(const Node& table) {

@@ -46,8 +46,10 @@ void DescribedDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output
     out.refuse("a message has other fields than its description says");
   if (decoded != Decoded::message) return;
   if (record_.malformed != 0) out.report("a field is no number; it reads as empty");
-  dialogue_.heard(record_.type, arrival.read_at, out);
+  dialogue_.heard(record_, arrival.read_at, out);
   const bool again = repeats(arrival.read_at);
+  if (record_.message->publishes && !dialogue_.objection().empty())
+    return out.refuse(dialogue_.objection(), Refusal::incomplete);
   if (!record_.message->is_alone())
     join(arrival, out);
   else if (record_.message->publishes && !again && measures(record_))

@@ -21,9 +21,7 @@ void DvlDriver::on(const wire::Pd0Ensemble& ensemble, const Origin& origin, Outp
   if (leader.clock) result.origin.device_time = leader.clock->time_since_epoch();
   const wire::DvlComponents velocity = wire::finest_velocity(ensemble);
   result.velocity = solution_.velocity(velocity, ensemble.fixed, leader, out);
-  if (ensemble.fixed.frame != wire::DvlFrame::beam) {
-    result.error_velocity_mps = velocity[3];
-  }
+  result.error_velocity_mps = wire::error_velocity(velocity, ensemble.fixed);
   if (wire::is_of_the_bed(ensemble.fixed)) {
     if (ensemble.bottom_track) result.range_m = ensemble.bottom_track->range_m;
     if (ensemble.bottom_range) result.altitude_m = ensemble.bottom_range->vertical_range_m;

@@ -12,7 +12,8 @@ void scale(std::optional<double>& value, double by) {
 void SoundSpeedCorrection::apply(measurement::BottomVelocity& sample, const WaterAtHead& water,
                                  Output& out) {
   if (options_.source == SoundSpeedOptions::Source::as_sent) return;
-  const auto set = options_.set_mps ? options_.set_mps : sample.sound_speed_mps;
+  const auto of_rig = options_.set_mps ? options_.set_mps : sample.sound_speed_mps;
+  const auto set = water.set_mps ? water.set_mps : of_rig;
   const auto speed = true_speed(water);
   const std::string_view missing =
       !set     ? "velocity not corrected: the DVL does not tell the speed of sound that it used"
@@ -26,6 +27,8 @@ void SoundSpeedCorrection::apply(measurement::BottomVelocity& sample, const Wate
   scale(sample.error_velocity_mps, by);
   scale(sample.altitude_m, by);
   for (auto& range : sample.range_m) scale(range, by);
+  scale(sample.figure_of_merit_mps, by);
+  if (sample.velocity_covariance) *sample.velocity_covariance *= by * by;
   sample.sound_speed_mps = *speed;
 }
 

@@ -11,6 +11,8 @@ namespace drydock::device {
 /// The water at the head, as the DVL tells it.
 struct WaterAtHead {
   std::optional<double> temperature_k, depth_m;
+  std::optional<double> set_mps =
+      {};  ///< speed of sound that it has, read back: the rig's is older
 };
 
 /// Corrects what a DVL measured with a wrong speed of sound. Doppler shift and travel time give
@@ -20,8 +22,9 @@ class SoundSpeedCorrection {
  public:
   explicit SoundSpeedCorrection(const SoundSpeedOptions& options) : options_(options) {}
 
-  /// Scales velocity, error velocity, ranges and altitude, and puts the speed that they now have
-  /// into the sample. It leaves the sample as sent, and reports why, if a value is missing.
+  /// Scales velocity with its accuracy, error velocity, ranges and altitude, and puts the speed
+  /// that they now have into the sample. It leaves the sample as sent, and reports why, if a value
+  /// is missing.
   void apply(measurement::BottomVelocity& sample, const WaterAtHead& water, Output& out);
 
  private:

@@ -17,6 +17,8 @@ constexpr int known_major_version = 2;
 
 void WaterLinkedDialogue::start(Stamp now, Output& out) {
   stop();
+  refusal_ = {};
+  sound_speed_mps_.reset();
   if (!wanted_) return;
   settings_hold_ = nothing_to_set(*wanted_);
   step_ = Step::version;
@@ -24,19 +26,25 @@ void WaterLinkedDialogue::start(Stamp now, Output& out) {
   ask(now, out);
 }
 
+void WaterLinkedDialogue::stop() {
+  step_ = Step::idle;
+  gave_up_ = false;
+  due_.reset();
+}
+
 void WaterLinkedDialogue::tick(Stamp now, Output& out) {
   if (!due_ || now < *due_) return;
-  if (finished()) return start(now, out);
+  if (gave_up_) return start(now, out);
   if (tries_ < most_tries) return ask(now, out);
   if (!replayed_) tell("no answer to", out);
   settings_hold_ = true;
-  step_ = Step::idle;
+  gave_up_ = true;
   due_ = now + start_again_after;
 }
 
 void WaterLinkedDialogue::receive(const wire::WaterLinked::Message& message, Stamp now,
                                   Output& out) {
-  if (finished()) return;
+  if (step_ == Step::idle) return;
   std::visit([&](const auto& sentence) { on(sentence, now, out); }, message);
 }
 
@@ -50,7 +58,14 @@ void WaterLinkedDialogue::on(const water_linked::Version& version, Stamp now, Ou
 
 void WaterLinkedDialogue::on(const water_linked::Configuration& read, Stamp now, Output& out) {
   if (step_ != Step::check) return;
-  settings_hold_ = settings_agree(*wanted_, read, out);
+  const auto agreement = compare(*wanted_, read, out);
+  settings_hold_ = agreement.velocities;
+  sound_speed_mps_ = read.sound_speed_mps;
+  // Of several troubles health shows the last: a refusal tells more than the values that it left.
+  if (!refusal_.empty())
+    out.report(refusal_.view());
+  else if (!agreement.settings && !nothing_to_set(*wanted_))
+    out.report(keeps_other_values("wcs").view());
   next(now, out);
 }
 
@@ -60,7 +75,10 @@ void WaterLinkedDialogue::on(const water_linked::Answer& answer, Stamp now, Outp
     case done:
       if (step_ == Step::set || step_ == Step::output) next(now, out);
       return;
-    case refused: tell("the DVL refuses", out); return next(now, out);
+    case refused:
+      tell("the DVL refuses", out);
+      if (step_ == Step::set) refusal_ = in_words("the DVL refuses");
+      return next(now, out);
     case not_understood: return ask_again_or("the DVL does not understand", now, out);
     case bad_checksum: return ask_again_or("the DVL hears with a bad checksum", now, out);
   }
@@ -76,6 +94,7 @@ void WaterLinkedDialogue::next(Stamp now, Output& out) {
   step_ = static_cast<Step>(static_cast<int>(step_) + 1);
   if (step_ == Step::set && nothing_to_set(*wanted_)) step_ = Step::check;
   tries_ = 0;
+  gave_up_ = false;  // a slow answer is one too
   due_.reset();
   if (!finished()) ask(now, out);
 }
@@ -102,12 +121,12 @@ std::size_t WaterLinkedDialogue::write_command(std::span<std::uint8_t> to) const
   return 0;
 }
 
-void WaterLinkedDialogue::tell(std::string_view trouble, Output& out) const {
+Reason WaterLinkedDialogue::in_words(std::string_view trouble) const {
   Reason text{trouble};
   text += " \"";
   text += command_.view();
   text += "\"";
-  out.report(text.view());
+  return text;
 }
 
 }  // namespace drydock::device

@@ -24,18 +24,21 @@ class WaterLinkedDialogue {
   void start(Stamp now, Output& out);  ///< without settings it does nothing
   /// A recording has no answers to new questions. That is not the fault of the DVL.
   void expect_no_answers(bool replayed) { replayed_ = replayed; }
-  void stop() { step_ = Step::idle, due_.reset(); }
+  void stop();
   void receive(const wire::WaterLinked::Message& message, Stamp now, Output& out);
   void tick(Stamp now, Output& out);
   std::optional<Stamp> deadline() const { return due_; }
-  bool finished() const { return step_ == Step::idle; }
+  bool finished() const { return step_ == Step::idle || gave_up_; }
 
   /// True if it asked without an answer and waits to ask again.
-  bool unanswered() const { return finished() && due_; }
+  bool unanswered() const { return gave_up_; }
 
   /// True if velocities are as the rig file says: nothing is to be set, the values read back agree,
   /// or the DVL never answers (which was reported).
   bool settings_hold() const { return settings_hold_; }
+
+  /// That the DVL uses, as read from it. Empty until it was read.
+  std::optional<double> sound_speed_mps() const { return sound_speed_mps_; }
 
  private:
   enum class Step : std::uint8_t { version, set, check, output, idle };
@@ -50,13 +53,17 @@ class WaterLinkedDialogue {
   void ask(Stamp now, Output& out);
   std::size_t write_command(std::span<std::uint8_t> to) const;
   void ask_again_or(std::string_view trouble, Stamp now, Output& out);
-  void tell(std::string_view trouble, Output& out) const;
+  Reason in_words(std::string_view trouble) const;
+  void tell(std::string_view trouble, Output& out) const { out.report(in_words(trouble).view()); }
 
   std::optional<WaterLinkedSettings> wanted_;
 
   Step step_ = Step::idle;
   bool settings_hold_ = true;
   bool replayed_ = false;
+  bool gave_up_ = false;  ///< the step was not answered; a late answer still counts
+  Reason refusal_;        ///< of wcs; empty: none
+  std::optional<double> sound_speed_mps_;
   int tries_ = 0;             ///< attempts of the current command
   std::optional<Stamp> due_;  ///< time limit of its answer, or time of the next start
   FixedText<64> command_;     ///< without checksum, for reports

@@ -1,7 +1,6 @@
 #include "drivers/device/dvl/water_linked_driver.hpp"
 
 #include "drivers/device/dvl/velocity_accuracy.hpp"
-#include "drivers/device/dvl/water_linked_report.hpp"
 #include "drivers/device/reported.hpp"
 
 namespace drydock::device {
@@ -37,7 +36,7 @@ void WaterLinkedDriver::restart(Stamp now, Output& out) {
 
 void WaterLinkedDriver::on(const water_linked::BottomVelocity& report, const Arrival& arrival,
                            Output& out) {
-  const auto age = age_of_report(report);
+  const auto age = age_.of(report, out);
   Origin origin = age ? timing_.of_bytes(arrival, *age) : timing_.of_bytes(arrival);
   origin.device_time = report.validity;
   new_form_at_ = origin.received_at;
@@ -47,7 +46,8 @@ void WaterLinkedDriver::on(const water_linked::BottomVelocity& report, const Arr
     if (const auto covariance = covariance_of(report.covariance))
       sample.velocity_covariance = mounting_.covariance_to_body(*covariance);
   }
-  finish_.publish(sample, {}, out);
+  finish_.publish(
+      sample, {.temperature_k = {}, .depth_m = {}, .set_mps = dialogue_.sound_speed_mps()}, out);
 }
 
 void WaterLinkedDriver::on(const water_linked::OldVelocity& report, const Arrival& arrival,
@@ -56,7 +56,8 @@ void WaterLinkedDriver::on(const water_linked::OldVelocity& report, const Arriva
   if (new_form_at_ && origin.received_at - *new_form_at_ < new_form_counts_for) return;
   heed_heat(report.hot.value_or(false), out);
   auto sample = sample_of(report, report.altitude_m, origin);
-  finish_.publish(sample, {}, out);
+  finish_.publish(
+      sample, {.temperature_k = {}, .depth_m = {}, .set_mps = dialogue_.sound_speed_mps()}, out);
 }
 
 measurement::BottomVelocity WaterLinkedDriver::sample_of(const water_linked::Report& report,
@@ -68,6 +69,7 @@ measurement::BottomVelocity WaterLinkedDriver::sample_of(const water_linked::Rep
   if (x && y && z && dialogue_.settings_hold()) result.velocity = mounting_.to_body({*x, *y, *z});
   if (result.velocity) result.figure_of_merit_mps = merit_of(report.figure_of_merit_mps);
   result.altitude_m = altitude_m;
+  result.sound_speed_mps = dialogue_.sound_speed_mps();
   return result;
 }
 

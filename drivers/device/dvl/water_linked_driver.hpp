@@ -2,6 +2,7 @@
 
 #include "drivers/device/dvl/dvl_finish.hpp"
 #include "drivers/device/dvl/water_linked_dialogue.hpp"
+#include "drivers/device/dvl/water_linked_report.hpp"
 #include "drivers/device/stream_driver.hpp"
 #include "drivers/measurement/earlier.hpp"
 #include "drivers/wire/dvl/water_linked.hpp"
@@ -47,6 +48,7 @@ class WaterLinkedDriver final : public StreamDriver<wire::WaterLinked::max_frame
   Mounting mounting_;
   DvlFinish finish_;
   WaterLinkedDialogue dialogue_;
+  ReportAge age_;
   std::optional<Stamp> new_form_at_, heard_at_;
   bool hot_ = false;
 };

@@ -15,6 +15,9 @@ using namespace water_linked_patience;
 
 void WaterLinkedJsonDialogue::start(Stamp now, Output& out) {
   step_ = Step::idle;
+  gave_up_ = false;
+  refusal_ = {};
+  sound_speed_mps_.reset();
   due_.reset();
   if (!wanted_) return;
   settings_hold_ = nothing_to_set(*wanted_);
@@ -23,34 +26,46 @@ void WaterLinkedJsonDialogue::start(Stamp now, Output& out) {
 
 void WaterLinkedJsonDialogue::tick(Stamp now, Output& out) {
   if (!due_ || now < *due_) return;
-  if (finished()) return start(now, out);
+  if (gave_up_) return start(now, out);
   if (tries_ < most_tries) return ask(now, out);
-  if (!replayed_) tell("no answer to ", {}, out);
+  if (!replayed_) out.report(in_words("no answer to ").view());
   settings_hold_ = true;
-  step_ = Step::idle;
+  gave_up_ = true;
   due_ = now + start_again_after;
 }
 
 void WaterLinkedJsonDialogue::receive(const water_linked_json::Response& answer, Stamp now,
                                       Output& out) {
-  if (finished() || answer.response_to != command()) return;
-  if (!answer.success) tell("the DVL refuses ", answer.error_message, out);
+  if (step_ == Step::idle || answer.response_to != command()) return;
+  gave_up_ = false;  // a slow answer is one too
+  if (!answer.success) {
+    const Reason refusal = in_words("the DVL refuses ", answer.error_message);
+    out.report(refusal.view());
+    if (step_ == Step::set) refusal_ = refusal;
+  }
   if (step_ == Step::set) return go_to(Step::check, now, out);
   if (answer.success) compare(answer, out);
   go_to(Step::idle, now, out);
 }
 
+/// Of several troubles health shows the last: a refusal tells more than the values that it left.
 void WaterLinkedJsonDialogue::compare(const water_linked_json::Response& answer, Output& out) {
   const auto read = water_linked_json::read_configuration(answer.result);
-  if (!read) return tell("no values in the answer to ", {}, out);
-  settings_hold_ = settings_agree(*wanted_, *read, out);
+  if (!read) return out.report(in_words("no values in the answer to ").view());
+  const auto agreement = device::compare(*wanted_, *read, out);
+  settings_hold_ = agreement.velocities;
+  sound_speed_mps_ = read->sound_speed_mps;
+  if (!refusal_.empty())
+    out.report(refusal_.view());
+  else if (!agreement.settings && !nothing_to_set(*wanted_))
+    out.report(keeps_other_values("set_config").view());
 }
 
 void WaterLinkedJsonDialogue::go_to(Step step, Stamp now, Output& out) {
   step_ = step;
   tries_ = 0;
   due_.reset();
-  if (!finished()) ask(now, out);
+  if (step_ != Step::idle) ask(now, out);
 }
 
 void WaterLinkedJsonDialogue::ask(Stamp now, Output& out) {
@@ -69,13 +84,12 @@ std::string_view WaterLinkedJsonDialogue::command() const {
   return step_ == Step::set ? "set_config" : "get_config";
 }
 
-void WaterLinkedJsonDialogue::tell(std::string_view trouble, std::string_view why,
-                                   Output& out) const {
+Reason WaterLinkedJsonDialogue::in_words(std::string_view trouble, std::string_view why) const {
   Reason text{trouble};
   text += command();
   if (!why.empty()) text += ": ";
   text += why;
-  out.report(text.view());
+  return text;
 }
 
 }  // namespace drydock::device

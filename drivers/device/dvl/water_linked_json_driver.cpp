@@ -1,7 +1,6 @@
 #include "drivers/device/dvl/water_linked_json_driver.hpp"
 
 #include "drivers/device/dvl/velocity_accuracy.hpp"
-#include "drivers/device/dvl/water_linked_report.hpp"
 #include "drivers/device/reported.hpp"
 
 namespace drydock::device {
@@ -46,15 +45,17 @@ void WaterLinkedJsonDriver::restart(Stamp now, Output& out) {
 }
 
 void WaterLinkedJsonDriver::on(const Velocity& report, const Arrival& arrival, Output& out) {
-  const auto age = age_of_report(report);
+  const auto age = age_.of(report, out);
   measurement::BottomVelocity sample;
   sample.origin = age ? timing_.of_bytes(arrival, *age) : timing_.of_bytes(arrival);
   sample.origin.device_time = report.validity;
   heed_heat(report.hot, out);
   add_velocity(report, sample);
   sample.altitude_m = report.altitude_m;
+  sample.sound_speed_mps = dialogue_.sound_speed_mps();
   add_ranges(report, sample);
-  finish_.publish(sample, {}, out);
+  finish_.publish(
+      sample, {.temperature_k = {}, .depth_m = {}, .set_mps = dialogue_.sound_speed_mps()}, out);
 }
 
 void WaterLinkedJsonDriver::add_velocity(const Velocity& report,

@@ -2,6 +2,7 @@
 
 #include "drivers/device/dvl/dvl_finish.hpp"
 #include "drivers/device/dvl/water_linked_json_dialogue.hpp"
+#include "drivers/device/dvl/water_linked_report.hpp"
 #include "drivers/device/stream_driver.hpp"
 #include "drivers/measurement/earlier.hpp"
 #include "drivers/wire/dvl/water_linked_json.hpp"
@@ -46,6 +47,7 @@ class WaterLinkedJsonDriver final : public StreamDriver<wire::WaterLinkedJson::m
   Mounting mounting_;
   DvlFinish finish_;
   WaterLinkedJsonDialogue dialogue_;
+  ReportAge age_;
   std::optional<Stamp> heard_at_;
   bool hot_ = false;
 };

@@ -2,13 +2,20 @@
 
 namespace drydock::device {
 
-std::optional<std::chrono::nanoseconds> age_of_report(
-    const wire::water_linked::ReportTimes& times) {
+std::optional<std::chrono::nanoseconds> ReportAge::of(const wire::water_linked::ReportTimes& times,
+                                                      Output& out) {
   constexpr std::chrono::seconds oldest_report{2};
   if (!times.validity || !times.transmission) return {};
   const auto age = *times.transmission - *times.validity;
-  if (age < age.zero() || age > oldest_report) return {};
-  return age;
+  const bool is_age = age >= age.zero() && age <= oldest_report;
+  if (!is_age && !told_)
+    out.report(age < age.zero()
+                   ? "the report was sent before it was valid, by its own times: its arrival and "
+                     "latency_ms of the rig tell its time"
+                   : "the report was sent more than 2 s after it was valid, by its own times: its "
+                     "arrival and latency_ms of the rig tell its time");
+  told_ = !is_age;
+  return is_age ? std::optional<std::chrono::nanoseconds>(age) : std::nullopt;
 }
 
 std::optional<Eigen::Matrix3d> covariance_of(const std::array<std::optional<double>, 9>& entries) {

@@ -45,13 +45,19 @@ bool rotation_agrees(double wanted, const std::optional<double>& read, Output& o
   return false;
 }
 
-void compare_operation(const WaterLinkedSettings& wanted, const water_linked::Configuration& read,
-                       Output& out) {
-  if (wanted.acoustic_enabled.value_or(true) && !read.acoustic_enabled.value_or(true))
+bool acoustics_agree(const std::optional<bool>& wanted, const std::optional<bool>& read,
+                     Output& out) {
+  if (wanted.value_or(true) && !read.value_or(true))
     out.report("the DVL's acoustics are switched off");
-  if (!wanted.range_mode.empty() && !read.range_mode.empty() &&
-      wanted.range_mode != read.range_mode)
-    out.report("the DVL has another range mode than the rig file says");
+  return !wanted || !read || *wanted == *read;
+}
+
+bool range_mode_agrees(const WaterLinkedSettings& wanted, const water_linked::Configuration& read,
+                       Output& out) {
+  if (wanted.range_mode.empty() || read.range_mode.empty() || wanted.range_mode == read.range_mode)
+    return true;
+  out.report("the DVL has another range mode than the rig file says");
+  return false;
 }
 
 }  // namespace
@@ -71,13 +77,22 @@ bool nothing_to_set(const WaterLinkedSettings& wanted) {
          wanted.range_mode.empty() && !wanted.periodic_cycling;
 }
 
-bool settings_agree(const WaterLinkedSettings& wanted, const water_linked::Configuration& read,
-                    Output& out) {
+WaterLinkedAgreement compare(const WaterLinkedSettings& wanted,
+                             const water_linked::Configuration& read, Output& out) {
   const bool sound = sound_speed_agrees(wanted.sound_speed_mps, read.sound_speed_mps, out);
   const bool rotation =
       rotation_agrees(wanted.mounting_rotation_rad.value_or(0), read.mounting_rotation_rad, out);
-  compare_operation(wanted, read, out);
-  return sound && rotation;
+  const bool acoustics = acoustics_agree(wanted.acoustic_enabled, read.acoustic_enabled, out);
+  const bool range_mode = range_mode_agrees(wanted, read, out);
+  const bool turned = wanted.mounting_rotation_rad && !rotation;
+  return {.velocities = sound && rotation, .settings = sound && !turned && acoustics && range_mode};
+}
+
+Reason keeps_other_values(std::string_view command) {
+  Reason text{"the DVL refuses "};
+  text += command;
+  text += ": it says that it took it, and keeps other values";
+  return text;
 }
 
 }  // namespace drydock::device

@@ -2,6 +2,7 @@
 
 #include "drivers/device/driver.hpp"
 #include "drivers/device/driver_options.hpp"
+#include "drivers/device/fixed_text.hpp"
 #include "drivers/wire/dvl/water_linked_messages.hpp"
 
 /// What the dialogues of both protocols of a Water Linked DVL have in common.
@@ -19,9 +20,16 @@ wire::water_linked::Configuration to_set(const WaterLinkedSettings& wanted);
 /// True if the rig file leaves all as it is.
 bool nothing_to_set(const WaterLinkedSettings& wanted);
 
-/// True if velocities are as the rig file says: the DVL uses its speed of sound and turns by its
-/// angle. Each value that differs is reported.
-bool settings_agree(const WaterLinkedSettings& wanted,
-                    const wire::water_linked::Configuration& read, Output& out);
+struct WaterLinkedAgreement {
+  bool velocities = true;  ///< the DVL uses the rig file's speed of sound and turns by its angle
+  bool settings = true;    ///< it has all values that the rig file names
+};
+
+/// Each value that differs is reported.
+WaterLinkedAgreement compare(const WaterLinkedSettings& wanted,
+                             const wire::water_linked::Configuration& read, Output& out);
+
+/// The refusal of a DVL that says that it has taken `command`, in words.
+Reason keeps_other_values(std::string_view command);
 
 }  // namespace drydock::device

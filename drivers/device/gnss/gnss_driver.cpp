@@ -48,7 +48,7 @@ void GnssDriver::receive(wire::Bytes bytes, Stamp received_at, Output& out) {
 }
 
 void GnssDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) {
-  if (frame[0] == wire::ubx::sync_1) setup_.receive(frame, arrival.read_at, out);
+  setup_.receive(frame, arrival.read_at, out);
   const auto message = wire::UbxNmea::decode(frame);
   if (!message) return;
   const Origin origin = timing_.of_bytes(arrival);

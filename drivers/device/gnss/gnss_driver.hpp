@@ -21,7 +21,8 @@ namespace drydock::device {
 ///          begins or the line pauses. The date is that of the last sentence that told one. Of
 ///          several receivers on the line one counts (PositionTalker).
 /// What comes after its epoch has ended, and what is of another receiver, is refused.
-/// Where the rig says how, a u-blox is set up when the link opens (UbloxSetup).
+/// Where the rig says how, a u-blox is set up when the link opens, and again after it lost its
+/// settings (UbloxSetup).
 /// A message is ignored if a better one of its epoch has the same content: parts beside NAV-PVT
 /// (NAV-SAT), NMEA beside UBX.
 class GnssDriver final : public StreamDriver<wire::UbxNmea::max_frame> {

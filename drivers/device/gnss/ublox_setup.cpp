@@ -14,6 +14,7 @@ using wire::load_le;
 using wire::store_le;
 
 constexpr std::chrono::seconds patience{1}, pause_of_the_unanswered{30};
+constexpr std::chrono::seconds settles_within{5}, pause_of_the_unchanged{60};
 constexpr int most_questions = 3;
 constexpr std::size_t prt_size = 20, rate_size = 6, msg_size = 8, ports = 6;
 
@@ -33,6 +34,7 @@ void UbloxSetup::start(Stamp now, Output& out) {
   due_.reset();
   if (!wanted_.any()) return;
   item_ = 0;
+  watch_.begin(now);
   go_to(wanted_.messages.empty() ? Step::read : Step::port, now, out);
 }
 
@@ -55,7 +57,9 @@ std::uint16_t UbloxSetup::asked() const {
 }
 
 void UbloxSetup::receive(wire::Bytes frame, Stamp now, Output& out) {
-  if (finished()) return;
+  if (!wanted_.any()) return;
+  heed(frame, now, out);
+  if (finished() || frame[0] != ubx::sync_1) return;
   const auto [id, payload] = ubx::packet_of(frame);
   const bool acknowledges = id == ubx::ack_ack || id == ubx::ack_nak;
   if (acknowledges && payload.size() == 2) {
@@ -64,6 +68,15 @@ void UbloxSetup::receive(wire::Bytes frame, Stamp now, Output& out) {
   } else if (id == asked() && step_ != Step::set) {
     answer(payload);
   }
+}
+
+/// Where the last setup found nothing to set, something else is strange: it does not ask all the
+/// time.
+void UbloxSetup::heed(wire::Bytes frame, Stamp now, Output& out) {
+  const bool lost = watch_.hear(frame, now, changed_ ? settles_within : pause_of_the_unchanged);
+  if (!lost) return;
+  changed_ = false;
+  start(now, out);
 }
 
 /// An answer comes first, its acknowledgement second; a setting has no other answer.
@@ -77,6 +90,7 @@ void UbloxSetup::acknowledged(bool taken, Stamp now, Output& out) {
   if (step_ == Step::port) return go_to(Step::read, now, out);
   if (!as_wanted_ && step_ == Step::read) return go_to(Step::set, now, out);
   if (!as_wanted_) tell("the receiver keeps another value after", out);
+  changed_ = changed_ || (as_wanted_ && step_ == Step::read_back);
   next_item(now, out);
 }
 

@@ -1,8 +1,31 @@
 #include "drivers/device/vessel/log_axes.hpp"
 
+#include <cmath>
+#include <utility>
+
 #include "drivers/device/vehicle_limits.hpp"
 
 namespace drydock::device {
+
+namespace {
+
+/// A component along one body axis, of the sensor's speeds that it depends on. Empty if one of them
+/// is missing.
+std::optional<double> along(double of_longitudinal, double of_transverse,
+                            const std::optional<double>& longitudinal_mps,
+                            const std::optional<double>& transverse_mps) {
+  constexpr double none = 1e-9;  // what a half turn leaves of sin(180 degrees)
+  double sum = 0;
+  for (const auto& [part, speed] :
+       {std::pair(of_longitudinal, &longitudinal_mps), std::pair(of_transverse, &transverse_mps)}) {
+    if (std::abs(part) < none) continue;
+    if (!*speed) return {};
+    sum += part * **speed;
+  }
+  return sum;
+}
+
+}  // namespace
 
 bool LogAxes::resolve(const std::optional<double>& longitudinal_mps,
                       const std::optional<double>& transverse_mps, measurement::WaterSpeed& into,
@@ -16,12 +39,13 @@ bool LogAxes::resolve(const std::optional<double>& longitudinal_mps,
   if (mounting_.is_identity()) {
     into.longitudinal_mps = longitudinal_mps;
     into.transverse_mps = transverse_mps;
-  } else if (longitudinal_mps && transverse_mps) {
-    const Eigen::Vector3d body = mounting_.to_body({*longitudinal_mps, *transverse_mps, 0});
-    into.longitudinal_mps = body.x();
-    into.transverse_mps = body.y();
-  } else if (longitudinal_mps) {
-    out.report("the log is mounted turned and gives no transverse speed: no speed along body x");
+  } else {
+    const Eigen::Vector3d x = mounting_.to_body(Eigen::Vector3d::UnitX());
+    const Eigen::Vector3d y = mounting_.to_body(Eigen::Vector3d::UnitY());
+    into.longitudinal_mps = along(x.x(), y.x(), longitudinal_mps, transverse_mps);
+    into.transverse_mps = along(x.y(), y.y(), longitudinal_mps, transverse_mps);
+    if (longitudinal_mps && !into.longitudinal_mps)
+      out.report("the log is mounted turned and gives no transverse speed: no speed along body x");
   }
   if (into.longitudinal_mps) *into.longitudinal_mps /= scale_;
   if (into.transverse_mps) *into.transverse_mps /= scale_;

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string_view>
 
 #include "drivers/measurement/kind.hpp"
 #include "drivers/wire/protocols.hpp"
@@ -16,7 +17,8 @@ struct Expected {
   double nominal_rate_hz = 0;        ///< 0: not known
   double line_bytes_per_second = 0;  ///< that its serial line carries; 0: not known
   std::chrono::nanoseconds stale_after = std::chrono::seconds{2};  ///< silence that is none yet
-  std::uint8_t address = 0;                                        ///< on a bus; 0: not known
+  std::string_view port_advice{};  ///< for a lost port; empty: that of the cause
+  std::uint8_t address = 0;        ///< on a bus; 0: not known
   /// The bus monitor watches when its frames come; its measurements only tell its clock.
   bool times_on_bus = false;
 };

@@ -10,7 +10,8 @@ namespace drydock::diagnosis {
 
 using measurement::Stamp;
 
-/// Counts whole frames of a line against its own first time. Where a driver recognises a repeated
+/// Counts whole frames of a line against its own first time. What was held before is not too many.
+/// Where a driver recognises a repeated
 /// message and drops it, only this count shows that it came.
 class FrameCount {
  public:
@@ -29,14 +30,21 @@ class FrameCount {
     ++seconds_;
     const auto in_window = static_cast<double>(counts_.back() - counts_.front());
     if (seconds_ <= window) return {};
-    if (now - *first_ < learning) most_ = std::max(most_, in_window);
-    if (now - *first_ < learning) return {};
-    const double excess = in_window - most_;
-    if (excess < std::max(least_frames, least_share * most_)) return {};
+    if (now - *first_ < learning) {
+      most_ = std::max(most_, in_window);
+      least_ = least_ > 0 ? std::min(least_, in_window) : in_window;
+      return {};
+    }
+    const auto in_second = static_cast<double>(counts_.back() - *(counts_.end() - 2));
+    std::rotate(held_.begin(), held_.begin() + 1, held_.end());
+    held_.back() = std::clamp(*(held_.end() - 2) + least_ / window - in_second, 0.0, most_);
+    const double excess = in_window - most_ - held_.front();
+    if (excess < most_excess()) return {};
     return excess;
   }
 
-  double usual() const { return most_; }
+  /// So many frames too many in a window are none of a fault.
+  double most_excess() const { return std::max(least_frames, least_share * most_); }
 
  private:
   void start(std::uint64_t frames, Stamp now) {
@@ -48,7 +56,8 @@ class FrameCount {
   Stamp second_at_{};
   std::array<std::uint64_t, window + 1> counts_{};
   std::size_t seconds_ = 0;
-  double most_ = 0;  ///< frames in a window of the first time
+  double most_ = 0, least_ = 0;            ///< frames in a window of the first time
+  std::array<double, window + 1> held_{};  ///< that did not come yet, at each of counts_
 };
 
 }  // namespace drydock::diagnosis

@@ -53,18 +53,27 @@ void LineMonitor::look(const Vitals& vitals, Stamp now) {
 }
 
 void LineMonitor::look_at_state(const Vitals& vitals, Stamp now) {
+  if (vitals.link_broken_since)
+    teller_.tell(Sign::port_lost, *vitals.link_broken_since, now,
+                 {static_cast<double>(vitals.link_failures), 0, "failures of the link", "",
+                  expected_.port_advice});
+  if (!is_silent(vitals, now)) return;
+  silent_at_ = now;
+  const Stamp last = vitals.last_message_at.value_or(*vitals.link_up_since);
+  teller_.tell(Sign::silent, last, now,
+               {measurement::seconds(now - last), measurement::seconds(expected_.stale_after),
+                "silence", "s"});
+}
+
+/// The driver of a silent device opens the link again. That is no end of the silence, and no loss.
+bool LineMonitor::is_silent(const Vitals& vitals, Stamp now) const {
+  if (!vitals.link_up_since || vitals.state == State::streaming) return false;
+  // Damaged frames are no silence.
+  if (damaged_at_ && now - *damaged_at_ < expected_.stale_after) return false;
+  const bool has_spoken =
+      vitals.last_message_at && *vitals.last_message_at >= *vitals.link_up_since;
   const auto patience = std::max<std::chrono::nanoseconds>(expected_.stale_after, longest_boot);
-  const bool silent = vitals.state == State::stale ||
-                      (vitals.state == State::waiting && now - vitals.since > patience);
-  const Stamp last = vitals.last_message_at.value_or(vitals.since);
-  if (silent) silent_at_ = now;
-  if (silent)
-    teller_.tell(Sign::silent, last, now,
-                 {measurement::seconds(now - last), measurement::seconds(expected_.stale_after),
-                  "silence", "s"});
-  if (vitals.state == State::backing_off)
-    teller_.tell(Sign::port_lost, vitals.since, now,
-                 {static_cast<double>(vitals.reopened), 0, "reopens", ""});
+  return has_spoken || now - *vitals.link_up_since > patience;
 }
 
 void LineMonitor::look_at_bytes(const Vitals& vitals, Stamp now) {
@@ -73,6 +82,7 @@ void LineMonitor::look_at_bytes(const Vitals& vitals, Stamp now) {
     last_frame_ = now;
     bytes_then_ = vitals.stream.bytes_in;
     not_text_then_ = vitals.bytes_not_text;
+    damaged_then_ = vitals.stream.bad_checksums;
     return;
   }
   const auto patience = std::max<std::chrono::nanoseconds>(
@@ -82,6 +92,12 @@ void LineMonitor::look_at_bytes(const Vitals& vitals, Stamp now) {
   // Bytes must still come: the rest of a damaged frame before a silence is none of this.
   if (vitals.stream.bytes_in != last_.stream.bytes_in) bytes_at_ = now;
   if (now - last_frame_ <= patience || bytes < fewest || now - bytes_at_ >= patience) return;
+  // The bytes of damaged frames are understood.
+  if (vitals.stream.frames > 0) {
+    const double length =
+        static_cast<double>(vitals.stream.bytes_good) / static_cast<double>(vitals.stream.frames);
+    if (length * grown(vitals.stream.bad_checksums, damaged_then_) > bytes / 2) return;
+  }
   // At a wrong rate hardly a byte is text: these are a console's, such as a sensor's at its prompt.
   const bool text = vitals.bytes_not_text == not_text_then_;
   teller_.tell(
@@ -94,6 +110,7 @@ void LineMonitor::look_at_counters(const Vitals& vitals, Stamp now) {
   // On a bus the driver also counts frames of others and halves of samples: the bus monitor looks.
   const bool bytes = expected_.protocol.travels == wire::Travels::as_bytes;
   const double damaged = bytes ? grown(vitals.stream.bad_checksums, was.bad_checksums) : 0;
+  if (damaged > 0) damaged_at_ = now;
   if (damaged > 0) teller_.tell(Sign::bad_checksums, now, now, {damaged, 0, "damaged frames", ""});
   const double skipped = grown(vitals.stream.bytes_skipped, was.bytes_skipped);
   // Before its first frame a device may say its name, or the end of a frame may come.
@@ -103,7 +120,7 @@ void LineMonitor::look_at_counters(const Vitals& vitals, Stamp now) {
   const auto excess = frames_.add(vitals.stream.frames, now);
   if (excess && bytes)
     teller_.tell(Sign::repeated, now - std::chrono::seconds{FrameCount::window}, now,
-                 {*excess, frames_.usual(), "frames too many in 8 s", ""});
+                 {*excess, frames_.most_excess(), "frames too many in 8 s", ""});
   const double errors = grown(vitals.error_frames, last_.error_frames);
   if (errors > 0) teller_.tell(Sign::error_frames, now, now, {errors, 0, "error frames", ""});
   const double impossible = grown(vitals.impossible, last_.impossible);

@@ -21,6 +21,7 @@ class LineMonitor {
 
  private:
   void look_at_state(const device::Vitals& vitals, Stamp now);
+  bool is_silent(const device::Vitals& vitals, Stamp now) const;
   void look_at_bytes(const device::Vitals& vitals, Stamp now);
   void look_at_counters(const device::Vitals& vitals, Stamp now);
   void look_at_reports(const device::Vitals& vitals, Stamp now);
@@ -33,12 +34,12 @@ class LineMonitor {
   bool looked_ = false;
   Stamp last_frame_{};  ///< when the counter of good frames last moved
   Stamp bytes_at_{};    ///< when bytes last came
-  std::uint64_t bytes_then_ = 0, not_text_then_ = 0;
+  std::uint64_t bytes_then_ = 0, not_text_then_ = 0, damaged_then_ = 0;
   FrameCount frames_;
   Stamp hot_since_{}, hot_until_{};
   Stamp refused_since_{}, refused_until_{};
   Stamp error_since_{}, error_until_{};
-  std::optional<Stamp> silent_at_;
+  std::optional<Stamp> silent_at_, damaged_at_;
   std::optional<Stamp> off_rate_since_;
   std::uint64_t bytes_when_off_rate_ = 0;
   bool had_its_rate_ = false;

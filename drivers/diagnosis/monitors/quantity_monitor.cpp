@@ -88,8 +88,10 @@ QuantityMonitor::News QuantityMonitor::judge(double period_s, Stamp at) {
   const double before = minus(last_[2], last_[3]);
   const double step = into - rate_ * took_s_[1];
   if (std::abs(step) > limit && std::abs(out_of - rate_ * took_s_[0]) < limit / 2 &&
-      std::abs(before - rate_ * took_s_[2]) < limit / 2)
+      std::abs(before - rate_ * took_s_[2]) < limit / 2) {
     news.jump = step;
+    news.most = limit;
+  }
   return news;
 }
 

@@ -24,6 +24,7 @@ class QuantityMonitor {
     double wild = 0;   ///< this far off both neighbours, which agree; 0: it fits
     double pulse = 0;  ///< the same beyond the noise only
     double jump = 0;   ///< a step that no motion makes and that stayed; 0: none
+    double most = 0;   ///< the largest step that a motion makes in this time; 0: no jump
     bool noisy = false;
   };
 

@@ -25,8 +25,22 @@ void RateWatch::add(Stamp at, long slots, double period_s) {
     slot_ += slots;
   }
   const double raster_s = static_cast<double>(slot_) * period_s_;
-  const double late_s = measurement::seconds(at - *origin_) - raster_s;
-  const long number = static_cast<long>(raster_s / block_s);
+  add(raster_s, measurement::seconds(at - *origin_) - raster_s);
+}
+
+void RateWatch::add(Stamp at, std::chrono::nanoseconds own) {
+  if (!origin_) {
+    origin_ = at;
+    own_origin_ = own;
+    block_number_ = 0;
+    in_block_ = 0;
+  }
+  const auto own_passed = own - own_origin_;
+  add(measurement::seconds(own_passed), measurement::seconds(at - *origin_ - own_passed));
+}
+
+void RateWatch::add(double own_s, double late_s) {
+  const long number = static_cast<long>(own_s / block_s);
   if (number != block_number_) close_block();
   block_number_ = number;
   earliest_s_ = in_block_++ == 0 ? late_s : std::min(earliest_s_, late_s);

@@ -9,10 +9,10 @@ namespace drydock::diagnosis {
 
 using measurement::Stamp;
 
-/// The rate of a device's clock against the host's, by the raster in which its messages arrive: bus
-/// and host only delay a message, so the earliest of each block of some seconds lies on a line
-/// (Mills's filter, RFC 5905). It compares the slope of the last blocks with that of the device's
-/// own first time.
+/// The rate of a device's clock against the host's, by the raster in which its messages arrive or
+/// by its own time in them: bus and host only delay a message, so the earliest of each block of
+/// some seconds lies on a line (Mills's filter, RFC 5905). It compares the slope of the last blocks
+/// with that of the device's own first time.
 class RateWatch {
  public:
   static constexpr std::chrono::seconds block{4};
@@ -22,6 +22,8 @@ class RateWatch {
 
   /// A message of the raster `slots` periods after the one before.
   void add(Stamp at, long slots, double period_s);
+  /// A message that has the device's own time.
+  void add(Stamp at, std::chrono::nanoseconds own);
   /// The raster was broken. What is known of the usual rate stays.
   void interrupt();
 
@@ -36,11 +38,13 @@ class RateWatch {
   };
   template <std::size_t N>
   static Line fit(const std::array<double, N>& y);
+  void add(double own_s, double late_s);
   void close_block();
   std::optional<double> change_now() const;
 
   double period_s_ = 0;
-  std::optional<Stamp> origin_;  ///< of the raster
+  std::optional<Stamp> origin_;             ///< of the raster, or of the own time
+  std::chrono::nanoseconds own_origin_{0};  ///< the own time then
   long slot_ = 0;
   double earliest_s_ = 0;  ///< against the raster, of the present block
   long block_number_ = 0;

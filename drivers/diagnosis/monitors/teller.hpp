@@ -8,6 +8,7 @@ namespace drydock::diagnosis {
 struct Amount {
   double value = 0, limit = 0;
   std::string_view quantity, unit;
+  std::string_view advice{};  ///< with static storage; empty: that of the cause
 };
 
 /// Tells the signs of one device.
@@ -24,7 +25,8 @@ class Teller {
               .value = amount.value,
               .limit = amount.limit,
               .quantity = amount.quantity,
-              .unit = amount.unit});
+              .unit = amount.unit,
+              .advice = amount.advice});
   }
 
  private:

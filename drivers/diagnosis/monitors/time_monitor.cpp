@@ -120,9 +120,23 @@ void TimeMonitor::step(Stream& stream, const Raster::Arrival& arrival, Stamp at,
   const bool on_raster = arrival.step == Step::regular || arrival.step == Step::missing;
   if (on_raster) stream.rate.add(at, arrival.slots, stream.raster.period_s());
   if (arrival.step == Step::odd) stream.rate.interrupt();
-  if (const auto change = stream.rate.change_ppm())
+  note_drift(stream.rate, at);
+}
+
+void TimeMonitor::note_drift(const RateWatch& rate, Stamp at) {
+  if (const auto change = rate.change_ppm())
     last(drifting_, at - RateWatch::block * RateWatch::blocks, at,
-         {*change, stream.rate.limit_ppm(), "change of its clock's rate", "ppm"});
+         {*change, rate.limit_ppm(), "change of its clock's rate", "ppm"});
+}
+
+/// A clock that drifts needs no raster to be seen. What has added up is no jump.
+void TimeMonitor::watch_rate(Stream& stream, const measurement::Origin& origin,
+                             const ClockWatch::News& news) {
+  if (expected_.protocol.clock != wire::DeviceClock::yes || news.repeated) return;
+  if (news.backwards || stream.jumps > 0) stream.own_rate.interrupt();
+  stream.own_rate.add(origin.received_at, *origin.device_time);
+  note_drift(stream.own_rate, origin.received_at);
+  if (stream.own_rate.change_ppm()) stream.clock.follow();
 }
 
 void TimeMonitor::note(Happened what) {
@@ -232,24 +246,31 @@ void TimeMonitor::tell_rate(Stream& stream, Stamp at) {
 void TimeMonitor::watch_clock(Stream& stream, const measurement::Origin& origin, Step step) {
   if (!origin.device_time) return;
   const Stamp at = origin.received_at;
-  const auto news = stream.clock.add(*origin.device_time, at);
+  const auto news = stream.clock.add(*origin.device_time, at, origin.valid_at);
+  watch_rate(stream, origin, news);
+  // A message that comes again says nothing about the clock.
+  if (news.repeated) return;
   if (news.backwards) backwards_.add(true, at);
   if (news.backwards && backwards_.fired())
     teller_.tell(Sign::time_backwards, backwards_.since(), at,
                  {backwards_.sum(), threshold, "log-likelihood of times that go back", ""});
   if (at < moved_until_) stream.clock.accept();
-  if (news.jump_s == 0 || at < moved_until_) {
+  // Held messages that come together are late by less and less: that is no delay that stays.
+  const bool was_held = step == Step::crowded && news.jump_s > 0;
+  if (news.jump_s == 0 || was_held || at < moved_until_) {
     stream.jumps = 0;
     stream.late_by_clock = false;
     return;
   }
   if (stream.jumps++ == 0) {
     stream.jump_since = at;
-    stream.late_by_clock = step == Step::missing || step == Step::odd;
+    const bool after_pause = step == Step::missing || step == Step::odd;
+    stream.late_by_clock = news.jump_s > 0 && (after_pause || news.aged);
   }
   if (stream.jumps < jumps_to_tell) return;
   const Amount amount{news.jump_s, stream.clock.limit_s(), "arrival against its own time", "s"};
-  teller_.tell(stream.late_by_clock ? Sign::late : Sign::clock_step, stream.jump_since, at, amount);
+  const bool late = stream.late_by_clock && news.jump_s > 0;
+  teller_.tell(late ? Sign::late : Sign::clock_step, stream.jump_since, at, amount);
   if (at - stream.jump_since > lasts) stream.clock.accept();
 }
 

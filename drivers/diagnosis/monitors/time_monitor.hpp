@@ -44,7 +44,8 @@ class TimeMonitor {
     Raster raster;
     ArrivalPattern pattern;
     ClockWatch clock;
-    RateWatch rate;
+    RateWatch rate;      ///< by the raster
+    RateWatch own_rate;  ///< by the device's own time
     bool pause = false;  ///< messages did not come and may still do
     bool extra = false;  ///< one came right behind another with the same values
     Stamp pause_at{};
@@ -80,7 +81,9 @@ class TimeMonitor {
   int lately(Happened what) const;  ///< of the last 64 messages
   void tell_pattern(Stream& stream, Stamp at);
   void tell_rate(Stream& stream, Stamp at);
+  void watch_rate(Stream& stream, const measurement::Origin& origin, const ClockWatch::News& news);
   void watch_clock(Stream& stream, const measurement::Origin& origin, Step step);
+  void note_drift(const RateWatch& rate, Stamp at);
   void last(Lasting& sign, Stamp since, Stamp now, const Amount& amount);
 
   Expected expected_;

@@ -68,7 +68,7 @@ void ValueMonitor::judge(const Reading& reading, Stamp at) {
     tell_wild(*monitor, news.wild, at);
   else if (news.pulse != 0 && pulses_.fired())
     tell_wild(*monitor, news.pulse, at);
-  if (news.jump != 0) tell_jump(*monitor, news.jump, at);
+  if (news.jump != 0) tell_jump(*monitor, news, at);
   if (news.noisy)
     teller_.tell(Sign::noisy, monitor->noise().since(), at,
                  {monitor->noise().sum(), QuantityMonitor::noise_threshold,
@@ -92,11 +92,12 @@ void ValueMonitor::tell_wild(const QuantityMonitor& monitor, double off, Stamp a
     teller_.tell(Sign::wild_unequal, at, at, {off, facts.wild, facts.name, facts.unit});
 }
 
-void ValueMonitor::tell_jump(const QuantityMonitor& monitor, double jump, Stamp at) {
+void ValueMonitor::tell_jump(const QuantityMonitor& monitor, const QuantityMonitor::News& news,
+                             Stamp at) {
   const bool back =
-      jumped_.since && jumped_.quantity == monitor.quantity() && jumped_.by * jump < 0;
+      jumped_.since && jumped_.quantity == monitor.quantity() && jumped_.by * news.jump < 0;
   if (back) return jumped_.since.reset();
-  jumped_ = {at, monitor.quantity(), jump};
+  jumped_ = {at, monitor.quantity(), news.jump, news.most};
 }
 
 void ValueMonitor::judge_sameness(Stream& stream, Stamp at) {
@@ -154,7 +155,7 @@ void ValueMonitor::look(Stamp now) {
   if (!jumped_.since) return;
   if (now - *jumped_.since > step_lasts) return jumped_.since.reset();
   const auto& facts = facts_of(jumped_.quantity);
-  teller_.tell(Sign::step, *jumped_.since, now, {jumped_.by, facts.slope, facts.name, facts.unit});
+  teller_.tell(Sign::step, *jumped_.since, now, {jumped_.by, jumped_.most, facts.name, facts.unit});
 }
 
 void ValueMonitor::set_under_water(bool under, Stamp now) {

@@ -34,7 +34,7 @@ class ValueMonitor {
   QuantityMonitor* monitor_of(Quantity quantity);
   void judge(const Reading& reading, Stamp at);
   void tell_wild(const QuantityMonitor& monitor, double off, Stamp at);
-  void tell_jump(const QuantityMonitor& monitor, double jump, Stamp at);
+  void tell_jump(const QuantityMonitor& monitor, const QuantityMonitor::News& news, Stamp at);
   void judge_sameness(Stream& stream, Stamp at);
   void judge_presence(Stream& stream, bool has_values, Stamp at);
   bool noise_shows(const Readings& readings);
@@ -52,7 +52,7 @@ class ValueMonitor {
   struct Jumped {
     std::optional<Stamp> since;
     Quantity quantity{};
-    double by = 0;
+    double by = 0, most = 0;
   } jumped_;
   bool under_water_ = false;
   Stamp dry_since_{};

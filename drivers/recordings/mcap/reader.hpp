@@ -3,6 +3,7 @@
 #include <istream>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "drivers/recordings/mcap/format.hpp"
 
@@ -11,7 +12,8 @@ struct ZSTD_DCtx_s;
 namespace drydock::mcap {
 
 /// Reads a file from start to end, record by record, and opens chunks. It needs no index, so it
-/// reads a truncated file up to its end. It checks the CRC of every chunk and attachment.
+/// reads a truncated file up to its end. It checks the CRC of every chunk and attachment, leaves
+/// out what is damaged and goes on behind it; schemas and channels then come from the summary too.
 class Reader {
  public:
   /// A larger record or chunk content counts as damage.
@@ -19,11 +21,11 @@ class Reader {
 
   explicit Reader(std::unique_ptr<std::istream> file);
 
-  /// Empty at the end of the data, or if the file is damaged. The data of a message are valid until
-  /// the next call.
+  /// Empty at the end of the data. The data of a message are valid until the next call.
   std::optional<Record> next();
 
-  /// Empty if there is no damage. Otherwise one line: the problem and its byte position.
+  /// Empty if there is no damage so far. Otherwise one line: the first problem, its byte position,
+  /// and how much was left out; and where the file is cut.
   const std::string& damage() const { return damage_; }
   /// The end of the last record, or of the chunk that contained it.
   std::uint64_t position() const { return position_; }
@@ -37,17 +39,27 @@ class Reader {
   bool read(Buffer& into, std::uint64_t size);
   std::optional<Record> next_in_file();
   std::optional<Record> next_in_chunk();
-  bool open_chunk(Bytes content);
-  bool fail(std::string_view what);  ///< always returns false
-  std::optional<Record> damaged(std::string_view what);
+  /// The size of the record's content as its own fields say it; 0 if it is damaged.
+  std::uint64_t open_chunk(Bytes content);
+  std::uint64_t fail(std::string_view what);               ///< of this record; always returns 0
+  std::optional<Record> damaged(std::string_view what);    ///< the file ends here
+  std::optional<Record> pass_over(std::uint64_t end);      ///< a damaged record
+  std::optional<Record> search_on(std::string_view what);  ///< goes on with the next chunk
+  void note_loss();
+  void note_sound(std::uint64_t end);  ///< the record from position_ on
+  void tell_damage();
 
   std::unique_ptr<std::istream> file_;
   std::unique_ptr<ZSTD_DCtx_s, Free> decompressor_;
   Buffer content_, chunk_;
   std::size_t in_chunk_ = 0;
   std::uint64_t size_ = 0, position_ = 0;
+  std::uint64_t search_from_ = 0;  ///< no chunk that begins before is of interest
+  std::uint64_t sound_end_ = 0, left_out_ = 0, places_ = 0;
+  bool lost_ = false;  ///< something behind sound_end_
   bool begun_ = false, ended_ = false;
-  std::string damage_;
+  std::vector<Record> definitions_;  ///< of the summary, to be told next, the last one first
+  std::string first_damage_, end_damage_, damage_;
 };
 
 }  // namespace drydock::mcap

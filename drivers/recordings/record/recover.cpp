@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 #include "drivers/recordings/mcap/writer.hpp"
 
@@ -15,7 +16,15 @@ class Copy {
 
   void operator()(const mcap::Header& header) { begin(header); }
   void operator()(const mcap::DataEnd&) {}
+  void operator()(const mcap::Channel& channel) {
+    channels_.insert(channel.id);
+    writer().add(channel);
+  }
   void operator()(const mcap::Message& message) {
+    if (!channels_.contains(message.channel)) {
+      ++done_.nameless;
+      return;
+    }
     writer().add(message);
     if (done_.messages++ == 0) done_.first_time = message.log_time;
     done_.first_time = std::min(done_.first_time, message.log_time);
@@ -44,6 +53,7 @@ class Copy {
 
   mcap::Sink sink_;
   std::optional<mcap::Writer> writer_;
+  std::set<std::uint16_t> channels_;
   Recovered done_;
 };
 

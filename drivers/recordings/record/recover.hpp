@@ -10,6 +10,7 @@ namespace drydock::record {
 struct Recovered {
   std::uint64_t messages = 0, attachments = 0;
   std::uint64_t first_time = 0, last_time = 0;  ///< ns since 1970
+  std::uint64_t nameless = 0;                   ///< messages left out: their channel is lost
   std::string damage;                           ///< of the source; empty: none
   boost::system::error_code error;              ///< of the new file
   bool ended_early = false;                     ///< it was not to go on

@@ -88,6 +88,9 @@ int recover(const RecoverOptions& options, const record::Watch& watch, std::FILE
              !saved.damage.empty() ? saved.damage
              : saved.ended_early   ? "not read to its end"
                                    : "whole, nothing to mend");
+  if (saved.nameless > 0)
+    fmt::print(err, "{} messages left out: the channels that say what they are were damaged\n",
+               saved.nameless);
   if (saved.messages == 0 && saved.attachments == 0)
     return refuse(err, "recover", "nothing in it could be saved");
   made.keep();

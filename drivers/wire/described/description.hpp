@@ -14,9 +14,14 @@ namespace drydock::wire::described {
 
 /// What the host says, and the message that answers.
 struct Request {
+  struct Said {
+    std::string field;  ///< of the reply
+    double value = 0;   ///< that it must have
+  };
   std::string bytes;
   std::string reply;    ///< name of a message; empty: none is awaited
   std::string refusal;  ///< name of the message that says no; empty: it cannot be refused
+  std::vector<Said> says;
 };
 
 struct FramePlan;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace drydock::wire {
 namespace {
@@ -79,6 +80,14 @@ std::optional<Vector> in_ship_axes(const DvlComponents& sent, const DvlGeometry&
 }
 
 }  // namespace
+
+std::optional<double> error_velocity(const DvlComponents& sent, const DvlGeometry& geometry) {
+  if (geometry.frame != DvlFrame::beam) return sent[3];
+  const bool complete = std::ranges::all_of(sent, [](const auto& b) { return b.has_value(); });
+  if (!complete || !geometry.beam_angle_rad) return {};
+  const double scale = 1 / (2 * std::numbers::sqrt2 * std::sin(*geometry.beam_angle_rad));
+  return scale * (*sent[0] + *sent[1] - *sent[2] - *sent[3]);
+}
 
 std::string_view to_string(DvlFrame frame) {
   constexpr std::array<std::string_view, 4> names{"beam", "instrument", "ship", "earth"};

@@ -52,6 +52,11 @@ std::optional<std::array<double, 3>> velocity_frd(const DvlComponents& velocity,
                                                   const DvlGeometry& geometry,
                                                   const DvlAttitude& attitude);
 
+/// How little the beams agree: of beams d (b1 + b2 - b3 - b4) with d = 1 / (2 sqrt(2) sin of the
+/// beam angle), so that it has the noise of a horizontal component; of other frames the fourth
+/// component. Empty unless all four beams are there.
+std::optional<double> error_velocity(const DvlComponents& sent, const DvlGeometry& geometry);
+
 /// Euler pitch of the head. The pitch sensor reads the tilt of the bow axis. It reads more if the
 /// head is heeled: tan(sensor) = tan(Euler) / cos(roll).
 double euler_pitch(double sensor_pitch_rad, double roll_rad);

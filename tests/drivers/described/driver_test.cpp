@@ -132,7 +132,83 @@ TEST(DescribedDrivers, ARefusedRequestIsToldAndTheNextOneFollows) {
   ASSERT_EQ(heard.reports.size(), 1u);
   EXPECT_EQ(heard.reports[0], "the sensor refuses what the start asks");
   receive(*driver, "$POK,\r\n", {}, heard);
-  EXPECT_FALSE(driver->deadline()) << "the start is over";
+  EXPECT_EQ(driver->deadline(), Stamp{} + std::chrono::seconds{2})
+      << "the start is over: only a silence begins it again";
+  driver->tick(*driver->deadline(), heard);
+  EXPECT_EQ(heard.sent.back(), "$PSET,1\r\n");
+}
+
+/// The sensor's manual: UN=3 is bar, UN=1 psi. 36.2594 psi are 250 000 Pa.
+TEST(DescribedDrivers, ADigiquartzThatKeepsItsUnitIsARefusalAndNoDepth) {
+  Heard heard;
+  const auto driver = driver_of(shipped("digiquartz.toml"));
+  const auto at = [](double s) { return Stamp{measurement::from_seconds(s)}; };
+  driver->restart(at(0), heard);
+  receive(*driver, "*00012.50000\r\n", at(0.1), heard);
+  EXPECT_TRUE(heard.all.empty()) << "nobody knows yet in which unit";
+  receive(*driver, "*0001UN=3\r\n", at(0.2), heard);
+  EXPECT_EQ(
+      heard.reports,
+      (std::vector<std::string>{"the sensor refuses unit 1 and says 3: its values are left out"}));
+  EXPECT_EQ(heard.sent.back(), "*0100P4\r\n") << "the next request follows";
+  receive(*driver, "*00012.50000\r\n", at(0.3), heard);
+  EXPECT_TRUE(heard.all.empty());
+  EXPECT_EQ(heard.refusals.back(), heard.reports.back());
+  receive(*driver, "*0001UN=1\r\n", at(0.4), heard);
+  receive(*driver, "*000136.2594\r\n", at(0.5), heard);
+  ASSERT_EQ(heard.all.size(), 1u);
+  EXPECT_NEAR(*heard.last<measurement::DepthSample>().pressure_pa, 250'000, 1);
+}
+
+TEST(DescribedDrivers, ASensorThatNeverSaysItsUnitIsReportedAndBelieved) {
+  Heard heard;
+  const auto driver = driver_of(shipped("digiquartz.toml"));
+  driver->restart({}, heard);
+  for (int i = 0; i < 3; ++i) driver->tick(*driver->deadline(), heard);
+  EXPECT_EQ(heard.reports,
+            (std::vector<std::string>{"the sensor does not answer what the start asks"}));
+  receive(*driver, "*000136.2594\r\n", {}, heard);
+  EXPECT_EQ(heard.all.size(), 1u);
+}
+
+TEST(DescribedDrivers, ARecordingWithAnotherUnitGivesNoDepthEither) {
+  Heard heard;
+  const auto driver = driver_of(shipped("digiquartz.toml"));
+  driver->set_provenance(measurement::Provenance::replayed);
+  driver->restart({}, heard);
+  receive(*driver, "*000136.2594\r\n", {}, heard);
+  EXPECT_EQ(heard.all.size(), 1u) << "a part of a recording may begin behind the reply";
+  receive(*driver, "*0001UN=3\r\n*00012.50000\r\n", {}, heard);
+  EXPECT_EQ(heard.all.size(), 1u);
+  EXPECT_EQ(heard.refusals.size(), 1u);
+}
+
+/// Error 32 of the KELLER protocol, 5.1: FA C9 20 and CRC-16/MODBUS, its high byte first.
+TEST(DescribedDrivers, AKellerThatLostItsPowerIsInitialisedAtOnce) {
+  const std::string initialise("\xFA\x30\x04\x43", 4), poll("\xFA\x49\x01\xA1\xA7", 5);
+  const std::string answer("\xFA\x30\x05\x14\x05\x20\x0A\x00\xC3\xC8", 10);
+  std::string error("\xFA\xC9\x20", 3);
+  unsigned crc = 0xFFFF;
+  for (const unsigned char byte : error) {
+    crc ^= byte;
+    for (int bit = 0; bit < 8; ++bit) crc = crc & 1 ? crc >> 1 ^ 0xA001 : crc >> 1;
+  }
+  error += {static_cast<char>(crc >> 8), static_cast<char>(crc)};
+  Heard heard;
+  const auto driver = driver_of(shipped("keller.toml"));
+  const auto at = [](double s) { return Stamp{measurement::from_seconds(s)}; };
+  driver->restart(at(0), heard);
+  receive(*driver, answer, at(0.1), heard);
+  receive(*driver, error, at(5), heard);
+  EXPECT_EQ(heard.sent.back(), initialise);
+  EXPECT_EQ(heard.reports,
+            (std::vector<std::string>{
+                "the sensor answers a poll with \"error\": the start is said again"}));
+  EXPECT_EQ(driver->counters().bytes_skipped, 0u);
+  receive(*driver, answer, at(5.1), heard);
+  EXPECT_EQ(heard.sent.back(), poll);
+  receive(*driver, error, at(5.2), heard);
+  EXPECT_EQ(heard.sent.back(), poll) << "not faster than once a second";
 }
 
 TEST(DescribedDrivers, ADepthThatNoSeaHasIsRefusedAsAPressureIs) {

@@ -126,6 +126,24 @@ TEST(DescriptionProblems, ContradictionsAreNamed) {
               HasSubstr("pairs of hexadecimal digits"));
 }
 
+TEST(DescriptionProblems, WhatAReplyMustSayIsANumberOfTheReply) {
+  const auto start = [](std::string_view more) {
+    return with(
+        "[[protocol.sentences]]\nid = \"$PX\"\nfields = [{field = \"depth_m\", unit = "
+        "\"m\"}, {name = \"mode\"}]\n" +
+        std::string(more));
+  };
+  EXPECT_THAT(start("[[start]]\nsend = \"a\"\nreply = \"PX\"\nsays = { mode = 1 }\n"), IsEmpty());
+  EXPECT_THAT(start("[[start]]\nsend = \"a\"\nreply = \"PX\"\nsays = { made = 1 }\n"),
+              HasSubstr("PX has no field \"made\""));
+  EXPECT_THAT(start("[[start]]\nsend = \"a\"\nreply = \"PX\"\nsays = { mode = \"on\" }\n"),
+              HasSubstr("mode must be a number"));
+  EXPECT_THAT(start("[[start]]\nsend = \"a\"\nsays = { mode = 1 }\n"),
+              HasSubstr("it needs a 'reply'"));
+  EXPECT_THAT(start("[[poll]]\nsend = \"a\"\nreply = \"PX\"\nsays = { mode = 1 }\n"),
+              HasSubstr("only for requests of the start"));
+}
+
 TEST(DescriptionProblems, ADescriptionThatIsTooLargeIsRefused) {
   std::string many = "[[protocol.sentences]]\nid = \"$PX\"\nfields = [";
   for (int i = 0; i < 33; ++i) many += "{name = \"x" + std::to_string(i) + "\"},";

@@ -80,6 +80,15 @@ TEST(DvlDriver, MountingTurnsTheSensorIntoTheBody) {
   EXPECT_NEAR(v->y(), std::sqrt(0.5), 1e-12);
 }
 
+/// Teledyne's coordinate transformation booklet: d (b1 + b2 - b3 - b4), d = a / sqrt 2, a = 1 / (2
+/// sin 30 degrees) = 1. The wire has velocities of the bed: all four components turn round.
+TEST(DvlDriver, FourGoodBeamsGiveTheErrorVelocity) {
+  const auto m = heard({.velocity_mmps = {30, 20, 5, 5}, .transform = 0x00});
+  EXPECT_NEAR(m.error_velocity_mps.value(), -0.040 / std::sqrt(2), 1e-9);
+  const auto three = heard({.velocity_mmps = {30, 20, 5, -32768}, .transform = 0x00});
+  EXPECT_FALSE(three.error_velocity_mps);
+}
+
 TEST(DvlDriver, NoBottomLockIsNoVelocityButALivingDvl) {
   const auto m = heard({.velocity_mmps = {-32768, -32768, -32768, -32768}, .range_cm = {}});
   EXPECT_FALSE(m.velocity);

@@ -35,6 +35,19 @@ TEST(EmLogDriver, ALogThatShowsTwoPercentTooMuchIsPutRight) {
               -7.1 * knot / 1.02, 1e-12);
 }
 
+TEST(EmLogDriver, ALogThatIsMountedBackwardsNeedsNoTransverseSpeed) {
+  DriverOptions o = options(Kind::emlog, "nmea0183");
+  o.mounting = {0, 0, 180 * degree};
+  const auto backwards = speeds_of("$VDVBW,-0.08,,A,,,V,,V,,V*7D\r\n", o).at(0);
+  EXPECT_NEAR(backwards.longitudinal_mps.value(), 0.08 * knot, 1e-12);
+  EXPECT_FALSE(backwards.transverse_mps);
+  o.mounting = {180 * degree, 0, 0};  // upside down: x stays
+  EXPECT_NEAR(speeds_of("$VDVBW,-0.08,,A,,,V,,V,,V*7D\r\n", o).at(0).longitudinal_mps.value(),
+              -0.08 * knot, 1e-12);
+  o.mounting = {0, 0, 1 * degree};
+  EXPECT_FALSE(speeds_of("$VDVBW,-0.08,,A,,,V,,V,,V*7D\r\n", o).at(0).longitudinal_mps);
+}
+
 TEST(EmLogDriver, AsternIsNegative) {
   EXPECT_NEAR(speeds_of("$VDVBW,-0.08,,A,,,V,,V,,V*7D\r\n").at(0).longitudinal_mps.value(),
               -0.08 * knot, 1e-12);

@@ -98,6 +98,32 @@ TEST(LifeCycle, LineThatNeverSpeaksIsOpenedAgain) {
   EXPECT_EQ(life.tick(at_s(10))->to, State::backing_off);
 }
 
+TEST(LifeCycle, OpeningASilentLinkAgainBreaksNothing) {
+  LifeCycle life = stale();
+  life.tick(at_s(12));
+  life.link_lost(at_s(12), "closed");
+  life.tick(at_s(12.25));
+  life.opened(at_s(12.3));
+  EXPECT_EQ(life.state(), State::waiting);
+  EXPECT_EQ(life.link_up_since(), at_s(0));
+  EXPECT_FALSE(life.link_broken_since());
+  EXPECT_EQ(life.link_failures(), 0u);
+}
+
+TEST(LifeCycle, LinkIsBrokenFromItsLossUntilItCanBeOpened) {
+  LifeCycle life = streaming();
+  life.link_lost(at_s(5), "hung up");
+  life.tick(at_s(5.25));
+  life.open_failed(at_s(5.25), "no such port");
+  EXPECT_EQ(life.link_broken_since(), at_s(5));
+  EXPECT_FALSE(life.link_up_since());
+  EXPECT_EQ(life.link_failures(), 2u);
+  life.tick(at_s(6));
+  life.opened(at_s(6));
+  EXPECT_FALSE(life.link_broken_since());
+  EXPECT_EQ(life.link_up_since(), at_s(6));
+}
+
 TEST(LifeCycle, BackOffDoublesFromAQuarterSecondToOneSecond) {
   LifeCycle life;
   Stamp now = at_s(0);

@@ -177,5 +177,109 @@ TEST(GnssDriver, SetsUpAReceiverAtEachOpeningOfItsLinkAndReadsPositionsMeanwhile
   EXPECT_EQ(ear.sent_bytes.size(), 2U);
 }
 
+/// A receiver that is set up at 1 s, then goes on as the test says.
+class PoweredUblox : public testing::Test {
+ protected:
+  void open(const UbloxSettings& wanted) {
+    DriverOptions options;
+    options.kind = Kind::gnss;
+    options.protocol = "ubx+nmea0183";
+    options.ublox = wanted;
+    driver_ = byte_driver(options);
+    driver_->restart(now_, ear_);
+  }
+  void hear(const Octets& bytes, std::chrono::milliseconds after) {
+    now_ += after;
+    while (driver_->deadline() && *driver_->deadline() <= now_)
+      driver_->tick(*driver_->deadline(), ear_);
+    driver_->receive(bytes, now_, ear_);
+  }
+  void sends_for(std::chrono::seconds time, const Octets& bytes, std::chrono::milliseconds each) {
+    for (auto t = 0ms; t < time; t += each) hear(bytes, each);
+  }
+  /// Plays the receiver: at the factory's rates until it is set.
+  void answer_all() {
+    for (; answered_ < ear_.sent_bytes.size(); ++answered_) {
+      const Octets asked = ear_.sent_bytes[answered_];
+      const Octets payload(asked.begin() + 6, asked.end() - 2);
+      const Octets acknowledged = test::ubx(0x05, 0x01, {asked[2], asked[3]});
+      Octets answer;
+      if (asked[3] == 0x00)
+        answer =
+            test::ubx(0x06, 0x00, {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+      if (asked[3] == 0x01) {
+        auto& rate = payload[0] == 0xF0 ? gga_ : pvt_;
+        if (payload.size() == 3)
+          rate = payload[2];
+        else
+          answer = test::ubx(0x06, 0x01, {payload[0], payload[1], 0, rate, 0, 0, 0, 0});
+      }
+      hear(answer + acknowledged, 5ms);
+    }
+  }
+  void lose_power() { pvt_ = 0, gga_ = 1; }
+
+  Ear ear_;
+  Stamp now_ = at_s(1);
+  std::unique_ptr<ByteDriver> driver_;
+  std::size_t answered_ = 0;
+  std::uint8_t pvt_ = 0, gga_ = 1;
+};
+
+const Octets a_pvt = test::ubx(0x01, 0x07, Octets(92));
+const Octets a_gga = nmea("GPGGA,120000.00,4130.0000,N,07042.0000,W,1,12,0.8,57.0,M,-45.0,M,,");
+
+TEST_F(PoweredUblox, IsSetUpAgainAfterASilence) {
+  open(pvt_alone);
+  answer_all();
+  ASSERT_EQ(pvt_, 1);
+  sends_for(10s, a_pvt, 200ms);
+  lose_power();
+  hear(a_gga, 4s);
+  answer_all();
+  EXPECT_EQ(pvt_, 1);
+  EXPECT_EQ(gga_, 0);
+  EXPECT_TRUE(ear_.reports.empty());
+}
+
+TEST_F(PoweredUblox, IsSetUpAgainAfterAShortBootWhenWhatWasSwitchedOffComes) {
+  open(pvt_alone);
+  answer_all();
+  sends_for(10s, a_pvt, 200ms);
+  lose_power();
+  hear(a_gga, 1100ms);
+  answer_all();
+  EXPECT_EQ(pvt_, 1);
+  EXPECT_EQ(gga_, 0);
+}
+
+TEST_F(PoweredUblox, IsSetUpAgainWhenOnlyOtherMessagesCome) {
+  open({.period = {}, .messages = {{nav_pvt, 1}}});
+  answer_all();
+  sends_for(10s, a_pvt, 1000ms);
+  lose_power();
+  sends_for(7s, a_gga, 1000ms);
+  answer_all();
+  EXPECT_EQ(pvt_, 1);
+}
+
+TEST_F(PoweredUblox, IsNotAskedAllTheTimeWhenAnotherReceiverIsOnTheLine) {
+  open(pvt_alone);
+  answer_all();
+  for (int minute = 0; minute < 5; ++minute) {
+    const auto asked = ear_.sent_bytes.size();
+    for (int s = 0; s < 60; ++s) hear(a_pvt, 500ms), hear(a_gga, 500ms), answer_all();
+    EXPECT_LE(ear_.sent_bytes.size() - asked, 3U) << "the port and two messages, read once";
+  }
+}
+
+TEST_F(PoweredUblox, WithItsSettingsIsAskedNothing) {
+  open(pvt_alone);
+  answer_all();
+  const auto asked = ear_.sent_bytes.size();
+  sends_for(300s, a_pvt, 1000ms);
+  EXPECT_EQ(ear_.sent_bytes.size(), asked);
+}
+
 }  // namespace ublox_setup_test
 }  // namespace drydock::device::test

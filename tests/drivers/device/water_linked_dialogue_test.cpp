@@ -144,7 +144,16 @@ TEST_F(Dialogue, AValueThatDoesNotHoldIsReported) {
                 "the DVL uses a speed of sound of 1500.50 m/s, not the one of the rig file",
                 "the DVL turns its velocities by 0.00 degrees, not by the mounting_rotation_deg of "
                 "the rig file",
-                "the DVL's acoustics are switched off"}));
+                "the DVL's acoustics are switched off",
+                "the DVL refuses wcs: it says that it took it, and keeps other values"}));
+}
+
+TEST_F(Dialogue, ARefusalIsTheLastWordAlsoWhenTheValuesDiffer) {
+  start(all_settings);
+  answer(wl::Version{2, 7, 0});
+  answer(Verdict::refused);
+  answer(configuration(1500.5, 0));
+  EXPECT_EQ(ear_.reports.back(), "the DVL refuses \"wcs,1490.00,45.00,,,,\"");
 }
 
 TEST_F(Dialogue, ARotationOfLongAgoIsNotedThoughNoneIsAskedFor) {

@@ -91,6 +91,26 @@ TEST(WaterLinkedJsonDriver, TheReportsOwnTimesSayHowOldItIs) {
         << nonsense;
 }
 
+TEST(WaterLinkedJsonDriver, TwoTimesThatAreNoAgeAreReportedOnceUntilTheyAreAgain) {
+  Ear ear;
+  const auto driver = byte_driver(tcp());
+  const auto of = [](const char* validity, const char* transmission) {
+    return report(locked, unit,
+                  std::string("\"time_of_validity\":") + validity +
+                      ",\"time_of_transmission\":" + transmission);
+  };
+  const auto old = of("1795262400000000", "1795262403000000");
+  const auto early = of("1795262400000000", "1795262399900000");
+  driver->receive(old + old, at_s(1), ear);
+  ASSERT_EQ(ear.reports.size(), 1U);
+  EXPECT_EQ(ear.reports[0],
+            "the report was sent more than 2 s after it was valid, by its own times: its arrival "
+            "and latency_ms of the rig tell its time");
+  driver->receive(usual + early, at_s(2), ear);
+  ASSERT_EQ(ear.reports.size(), 2U);
+  EXPECT_EQ(ear.reports[1].substr(0, 43), "the report was sent before it was valid, by");
+}
+
 TEST(WaterLinkedJsonDriver, TheFirstFirmwareIsUnderstoodToo) {
   const auto m = heard(octets("{\"time\":106.3,\"vx\":-0.37,\"vy\":0.0017,\"vz\":-0.0083,"
                               "\"fom\":0.0021,\"altitude\":0.49,\"transducers\":[],"
@@ -230,8 +250,47 @@ TEST_F(JsonDialogue, ValuesThatDoNotHoldAreReportedAndVelocitiesLeftOut) {
                 "the DVL uses a speed of sound of 1500.25 m/s, not the one of the rig file",
                 "the DVL turns its velocities by 0.00 degrees, not by the mounting_rotation_deg of "
                 "the rig file",
-                "the DVL's acoustics are switched off"}));
+                "the DVL's acoustics are switched off",
+                "the DVL refuses set_config: it says that it took it, and keeps other values"}));
   EXPECT_FALSE(gives_velocity());
+}
+
+TEST_F(JsonDialogue, ARefusalIsTheLastWordAlsoWhenTheValuesDiffer) {
+  open(all_settings());
+  answer("set_config", "null", false, "Out of range");
+  answer("get_config", values("1475", "0"));
+  EXPECT_EQ(ear_.reports.back(), "the DVL refuses set_config: Out of range");
+  EXPECT_FALSE(gives_velocity());
+}
+
+TEST_F(JsonDialogue, ASlowAnswerCountsThoughTheDriverHasGivenUp) {
+  open(all_settings());
+  answer("set_config", "null");
+  for (int i = 0; i < 3; ++i) hear(usual), wait_for_deadline();
+  EXPECT_TRUE(gives_velocity()) << "not verified, which is reported";
+  EXPECT_EQ(ear_.reports.back(), "no answer to get_config");
+  answer("get_config", values("1475", "45"));
+  EXPECT_FALSE(gives_velocity()) << "the answer came at last, and differs";
+}
+
+TEST_F(JsonDialogue, TheSpeedOfSoundThatWasReadBackCorrectsTheVelocity) {
+  DriverOptions o = tcp();
+  o.dvl.water_linked = WaterLinkedSettings{1480.0, {}};
+  o.dvl.sound_speed.source = SoundSpeedOptions::Source::fixed;
+  o.dvl.sound_speed.fixed_mps = 1500;
+  o.dvl.sound_speed.set_mps = 1475;  // of an older rig file: what the DVL says counts
+  driver_ = byte_driver(o);
+  driver_->restart(now_, ear_);
+  answer("set_config", "null");
+  answer("get_config", values("1480", "0"));
+  ear_.heard.clear();
+  hear(usual);
+  const auto sample = ear_.all<BottomVelocity>().at(0);
+  EXPECT_NEAR(sample.velocity->x(), 1.234 * 1500 / 1480, 1e-12);
+  ASSERT_TRUE(sample.velocity_covariance);
+  EXPECT_NEAR((*sample.velocity_covariance)(0, 0), 1500.0 / 1480 * 1500 / 1480, 1e-12);
+  EXPECT_NEAR(*sample.figure_of_merit_mps, 0.003 * 1500 / 1480, 1e-12);
+  EXPECT_EQ(sample.sound_speed_mps, 1500);
 }
 
 TEST_F(JsonDialogue, AnAnswerToAnotherClientsCommandIsNotItsOwn) {

@@ -17,7 +17,7 @@ struct ClockThatIsWatched : testing::Test {
   }
   ClockWatch::News add(double ahead_s) {
     now += 0.2;
-    return watch.add(from_seconds(5000 + now + ahead_s), at_s(now + 0.02));
+    return watch.add(from_seconds(5000 + now + ahead_s), at_s(now + 0.02), at_s(now + 0.01));
   }
   ClockWatch watch;
   double now = 0;
@@ -71,6 +71,30 @@ TEST_F(RateThatIsWatched, IsFasterBy100PartsInAMillion) {
   run(0, 28, 125);
   ASSERT_TRUE(watch.change_ppm());
   EXPECT_NEAR(*watch.change_ppm(), 100, 15);
+}
+
+/// The same messages with the device's own time and no raster: pauses of 0.05 s to 0.2 s.
+TEST(RateOfOwnTimes, IsFasterBy200PartsInAMillion) {
+  RateWatch watch;
+  std::mt19937_64 random{7};
+  std::exponential_distribution<double> wait{1 / 0.0003};
+  std::uniform_real_distribution<double> pause{0.05, 0.2};
+  double own_s = 5000;
+  const auto run = [&](double from_s, double to_s, double ppm) {
+    for (double t = from_s; t < to_s;) {
+      const double dt = pause(random);
+      t += dt;
+      own_s += dt * (1 + ppm * 1e-6);
+      watch.add(at_s(t + wait(random)), from_seconds(own_s));
+    }
+  };
+  run(0, 40, 25);
+  EXPECT_FALSE(watch.change_ppm());
+  run(40, 400, 25);
+  EXPECT_FALSE(watch.change_ppm());
+  run(400, 428, 225);
+  ASSERT_TRUE(watch.change_ppm());
+  EXPECT_NEAR(*watch.change_ppm(), 200, 20);
 }
 
 TEST_F(RateThatIsWatched, DidNotDriftWhenItsRasterJumped) {

@@ -61,6 +61,59 @@ TEST_F(TwoDevices, GetABetterWordForTheSameTrouble) {
   EXPECT_EQ(heard[2].evidence[0].sign, Sign::rate_low) << "what decided comes first";
 }
 
+TEST_F(TwoDevices, HaveANewTroubleWhereItBeganLongAfterTheFirstWasKnown) {
+  see(Sign::offset, 5);
+  judge.settle(at_s(5));
+  for (int at = 6; at < 30; ++at) see(Sign::offset, at);
+  see(Sign::stuck, 30);
+  judge.settle(at_s(30));
+  EXPECT_EQ(judge.open(0)->cause, Cause::stuck);
+  EXPECT_EQ(judge.open(0)->since, at_s(29));
+}
+
+/// A damaged frame is remembered for 10 s, bytes without a frame for 1.5 s.
+TEST_F(TwoDevices, HaveNoFindingOfWhatTheOneThatIsOverExplained) {
+  see(Sign::bad_checksums, 5);
+  see(Sign::nothing_decodes, 6);
+  judge.settle(at_s(6));
+  EXPECT_EQ(judge.open(0)->cause, Cause::wrong_baud);
+  judge.settle(at_s(8));
+  EXPECT_EQ(judge.open(0), nullptr);
+}
+
+TEST_F(TwoDevices, StayDamagedWhereFramesAreDamagedAfterTheBytesWithoutOnes) {
+  see(Sign::nothing_decodes, 6);
+  judge.settle(at_s(6));
+  see(Sign::bad_checksums, 7);
+  judge.settle(at_s(8));
+  ASSERT_NE(judge.open(0), nullptr);
+  EXPECT_EQ(judge.open(0)->cause, Cause::damaged);
+}
+
+TEST_F(TwoDevices, HaveLimitsOnTheSideOfTheirValues) {
+  judge.see({.sign = Sign::offset,
+             .since = at_s(4),
+             .at = at_s(5),
+             .value = -0.154,
+             .limit = 0.029,
+             .quantity = "speed over ground",
+             .unit = "m/s"});
+  judge.settle(at_s(5));
+  EXPECT_EQ(judge.open(0)->evidence[0].limit, -0.029);
+}
+
+TEST_F(TwoDevices, HaveTheAdviceOfTheSignThatDecided) {
+  judge.see({.sign = Sign::port_lost,
+             .since = at_s(4),
+             .at = at_s(5),
+             .quantity = {},
+             .unit = {},
+             .advice = "look at host and port"});
+  see(Sign::gaps, 5);
+  judge.settle(at_s(5));
+  EXPECT_EQ(judge.open(0)->advice, "look at host and port");
+}
+
 TEST_F(TwoDevices, AreDamagedWhereForeignBytesCostMessages) {
   see(Sign::foreign_bytes, 5);
   judge.settle(at_s(5));

@@ -14,6 +14,7 @@ struct LineThatIsWatched : testing::Test {
   LineThatIsWatched() {
     health.state = State::streaming;
     health.since = health.last_message_at.emplace(at_s(0));
+    health.link_up_since = at_s(0);
     for (int i = 0; i < 240; ++i) look(3);
   }
   /// A quarter of a second with so many frames.
@@ -43,7 +44,7 @@ TEST_F(LineThatIsWatched, IsSilentSinceItsLastMessage) {
 
 TEST_F(LineThatIsWatched, MayBootForTenSeconds) {
   health.state = State::waiting;
-  health.since = at_s(now);
+  health.since = health.link_up_since.emplace(at_s(now));
   health.last_message_at.reset();
   for (int i = 0; i < 39; ++i) look(0);
   EXPECT_FALSE(signs.has(Sign::silent));
@@ -51,8 +52,43 @@ TEST_F(LineThatIsWatched, MayBootForTenSeconds) {
   EXPECT_TRUE(signs.has(Sign::silent));
 }
 
+/// The driver opens the link again after ten seconds of silence.
+TEST_F(LineThatIsWatched, StaysSilentWhileItsDriverOpensTheLinkAgain) {
+  const double last = now;
+  for (const State state : {State::stale, State::backing_off, State::opening, State::waiting}) {
+    signs.all.clear();
+    health.state = state;
+    health.since = at_s(now);
+    look(0);
+    ASSERT_TRUE(signs.has(Sign::silent)) << to_string(state);
+    EXPECT_EQ(signs.first(Sign::silent).since, at_s(last));
+    EXPECT_FALSE(signs.has(Sign::port_lost));
+  }
+  signs.all.clear();
+  health.state = State::streaming;
+  look(3);
+  EXPECT_TRUE(signs.all.empty());
+}
+
+TEST_F(LineThatIsWatched, ThatNeverSpokeIsSilentWhileItsDriverOpensTheLinkAgain) {
+  health.link_up_since = at_s(now);
+  health.last_message_at.reset();
+  for (const State state : {State::waiting, State::backing_off, State::opening, State::waiting}) {
+    health.state = state;
+    health.since = at_s(now);
+    for (int i = 0; i < 41; ++i) look(0);
+    EXPECT_TRUE(signs.has(Sign::silent));
+    EXPECT_EQ(signs.first(Sign::silent).since, *health.link_up_since);
+    EXPECT_FALSE(signs.has(Sign::port_lost));
+    signs.all.clear();
+  }
+}
+
 TEST_F(LineThatIsWatched, LosesItsPort) {
   health.state = State::backing_off;
+  health.link_up_since.reset();
+  health.link_broken_since = at_s(now);
+  health.link_failures = 1;
   look(0);
   EXPECT_TRUE(signs.has(Sign::port_lost));
   EXPECT_FALSE(signs.has(Sign::silent));
@@ -88,6 +124,31 @@ TEST_F(LineThatIsWatched, DecodesNothingAfterASecondOfBytes) {
   EXPECT_TRUE(signs.has(Sign::nothing_decodes));
 }
 
+/// Frames of 50 bytes, three in a quarter of a second, each with a wrong checksum.
+TEST_F(LineThatIsWatched, IsDamagedAndNotAtAWrongRateWhereItsBytesAreDamagedFrames) {
+  health.stream.bytes_good = health.stream.frames * 50;
+  for (int i = 0; i < 20; ++i) {
+    health.stream.bytes_in += 150;
+    health.bytes_not_text += 100;
+    health.stream.bad_checksums += 3;
+    health.stream.bytes_skipped += 150;
+    look(0);
+  }
+  EXPECT_TRUE(signs.has(Sign::bad_checksums));
+  EXPECT_FALSE(signs.has(Sign::nothing_decodes));
+}
+
+TEST_F(LineThatIsWatched, IsNotSilentWhileDamagedFramesCome) {
+  health.state = State::stale;
+  health.stream.bad_checksums += 1;
+  look(0);
+  signs.all.clear();
+  for (int i = 0; i < 7; ++i) look(0);
+  EXPECT_FALSE(signs.has(Sign::silent));
+  for (int i = 0; i < 2; ++i) look(0);
+  EXPECT_TRUE(signs.has(Sign::silent));
+}
+
 /// At a wrong rate hardly a byte is text. A sensor that waits for a command says nothing else.
 TEST_F(LineThatIsWatched, PromptsWhereAllBytesAreText) {
   for (int i = 0; i < 5; ++i) {
@@ -102,6 +163,13 @@ TEST_F(LineThatIsWatched, PromptsWhereAllBytesAreText) {
 TEST_F(LineThatIsWatched, HasTooManyFramesWhenOneInFiveComesTwice) {
   for (int i = 0; i < 40; ++i) look(i % 2 == 0 ? 3 : 4);
   EXPECT_TRUE(signs.has(Sign::repeated));
+}
+
+/// Two seconds of frames are held and come together, ten times; then all is as before.
+TEST_F(LineThatIsWatched, HasNoFramesTooManyBehindThoseThatWereHeld) {
+  for (int i = 0; i < 80; ++i) look(i % 8 == 7 ? 24 : 0);
+  for (int i = 0; i < 80; ++i) look(3);
+  EXPECT_FALSE(signs.has(Sign::repeated));
 }
 
 TEST_F(LineThatIsWatched, IsHotForHalfAMinute) {

@@ -107,15 +107,19 @@ struct WithAClock : testing::Test {
   WithAClock() {
     for (int i = 0; i < 200; ++i) come(0, 0);
   }
-  void come(double late_s, double clock_ahead_s) {
+  void come(double late_s, double clock_ahead_s, double age_s = 0.08) {
     now += 0.2;
     measurement::Origin origin;
     origin.received_at = at_s(now + late_s);
+    origin.valid_at = at_s(now + late_s - age_s);
     origin.device_time = measurement::from_seconds(now + clock_ahead_s);
     monitor.take(1, origin, false);
   }
   Signs signs;
-  TimeMonitor monitor{{.kind = measurement::Kind::dvl, .nominal_rate_hz = 5}, signs};
+  TimeMonitor monitor{{.kind = measurement::Kind::dvl,
+                       .protocol = {.clock = wire::DeviceClock::yes},
+                       .nominal_rate_hz = 5},
+                      signs};
   double now = 0;
 };
 
@@ -131,6 +135,46 @@ TEST_F(WithAClock, IsLateAgainstItsClock) {
   ASSERT_TRUE(signs.has(Sign::late));
   EXPECT_NEAR(signs.first(Sign::late).value, 0.5, 1e-6);
   EXPECT_FALSE(signs.has(Sign::clock_step));
+}
+
+/// Water Linked tells when its values were true and when it sent them.
+TEST_F(WithAClock, IsLateWhereItSaysThatItsValuesAreOld) {
+  for (int i = 0; i < 5; ++i) come(0, -1.42, 1.5);
+  ASSERT_TRUE(signs.has(Sign::late));
+  EXPECT_NEAR(signs.first(Sign::late).value, 1.42, 1e-6);
+  EXPECT_FALSE(signs.has(Sign::clock_step));
+}
+
+/// Two seconds of messages are held and come together.
+TEST_F(WithAClock, IsNotLateWhereItsMessagesWereHeld) {
+  for (int burst = 0; burst < 5; ++burst)
+    for (int i = 9; i >= 0; --i) come(0.2 * i + 0.125, 0);
+  EXPECT_FALSE(signs.has(Sign::late));
+  EXPECT_FALSE(signs.has(Sign::clock_step));
+}
+
+TEST_F(WithAClock, ThatComesTooEarlyIsNotLate) {
+  now += 0.3;  // a pause
+  for (int i = 0; i < 5; ++i) come(0, 0.2);
+  EXPECT_FALSE(signs.has(Sign::late));
+  EXPECT_TRUE(signs.has(Sign::clock_step));
+}
+
+TEST_F(WithAClock, DoesNotStepWhereItsLastMessageComesAgain) {
+  const double last = now;
+  for (int i = 0; i < 100; ++i) come(0, last - (now + 0.2));
+  EXPECT_FALSE(signs.has(Sign::clock_step));
+}
+
+TEST_F(WithAClock, DriftsAndDoesNotStepWhenThatHasAddedUp) {
+  for (int i = 0; i < 1500; ++i) {
+    come(0, 1e-3 * 0.2 * i);
+    monitor.look(at_s(now));
+  }
+  ASSERT_TRUE(signs.has(Sign::clock_drift));
+  EXPECT_NEAR(signs.all.back().value, 1000, 10);
+  EXPECT_FALSE(signs.has(Sign::clock_step));
+  EXPECT_FALSE(signs.has(Sign::late));
 }
 
 /// A receiver at 1 Hz with its own clock, whose line says more while it has a fix.

@@ -5,6 +5,8 @@
 
 #include <csignal>
 
+#include "drivers/terminal/interrupt_flag.hpp"
+
 namespace until_stopped_test {
 
 using drydock::io::UntilStopped;
@@ -30,6 +32,18 @@ TEST(UntilStopped, EndsAtCtrlCWithoutWaitingForTheTime) {
   program.io.run();
   EXPECT_EQ(program.stops, 1);
   EXPECT_TRUE(program.until.interrupted());
+}
+
+// A program makes its links between the first and the second, and the signal comes meanwhile.
+TEST(UntilStopped, EndsAtASignalThatAFlagCaughtBefore) {
+  for (const double duration_s : {0.0, 3600.0}) {
+    const drydock::terminal::InterruptFlag flag;
+    std::raise(SIGTERM);
+    Program program(duration_s);
+    program.io.run();
+    EXPECT_EQ(program.stops, 1);
+    EXPECT_TRUE(program.until.interrupted());
+  }
 }
 
 TEST(UntilStopped, WithoutATimeEndsAtTheSignalAlone) {

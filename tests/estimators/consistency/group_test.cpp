@@ -53,6 +53,18 @@ class Sailing {
   std::uint64_t serial_ = 0;
 };
 
+/// A rig may have 256 devices: those beyond the group's places are not compared, and harm nothing.
+TEST(Group, AWitnessBeyondTheLastPlaceIsNoWitness) {
+  Group group;
+  for (std::size_t i = 0; i < Group::most; ++i) EXPECT_EQ(group.add({0}, exact), i);
+  const std::size_t beyond = group.add({1}, exact);
+  EXPECT_EQ(beyond, Group::most);
+  group.see(beyond, 1e9, 1);
+  group.restart(beyond);
+  group.settle(Stamp{}, 0.2, [](const Devices&) { return false; });
+  EXPECT_EQ(group.value(), std::nullopt);
+}
+
 /// Each differs from the median of the two by half of the log's noise, which is twice the floor of
 /// the log's test: 8 hours of a dive in which the receiver is under water.
 TEST(Group, DoubtsNoneOfAPairForTheNoiseOfTheOther) {

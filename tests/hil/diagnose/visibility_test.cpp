@@ -114,6 +114,23 @@ TEST(Visibility, AMountingIsSeenWhereTheHeadItselfTellsADepthThatChanges) {
   EXPECT_THAT(why(rig, "dvl", Cause::scale, with), Not(IsEmpty()));
 }
 
+/// docs/pier/findings.md: monitors learn for 30 s (times) and 45 s (values). 46 s leave a second.
+TEST(Visibility, WhatMonitorsWereStillLearningIsNamed) {
+  const auto rig = rig_of({{measurement::Kind::dvl, "pd0"}});
+  const auto in = [&](double s, Cause cause) {
+    return why(rig, "dvl", cause, {.duration_s = s, .live = true, .has_times = true});
+  };
+  for (const auto cause : {Cause::stuck, Cause::noise, Cause::spike, Cause::bottom_lost})
+    EXPECT_EQ(in(46, cause), "the first 45 s of 46 s teach what is usual");
+  EXPECT_EQ(in(46, Cause::drop), "the first 30 s of 46 s teach what is usual");
+  EXPECT_EQ(in(20, Cause::slow), "20 s are too short to learn what is usual");
+  EXPECT_EQ(in(30, Cause::clock_drift), "30 s are too short to learn what is usual");
+  for (const auto cause : {Cause::silent, Cause::damaged, Cause::port_lost})
+    EXPECT_THAT(in(5, cause), IsEmpty());
+  for (const auto cause : {Cause::stuck, Cause::drop, Cause::delay})
+    EXPECT_THAT(in(100, cause), IsEmpty());
+}
+
 TEST(Visibility, EveryCauseIsConcludedFromSomeSigns) {
   for (const auto& facts : diagnosis::causes())
     EXPECT_TRUE(is_concluded(facts.cause)) << facts.name;

@@ -41,6 +41,8 @@ TEST_F(InfoOfARun, HasTheRatesOfTheRigFileAndTheFault) {
   const auto info = json::parse(said.output);
   EXPECT_NEAR(info["duration_s"], 20, 0.1);
   EXPECT_EQ(info["begin"], "2026-11-21T08:00:00Z");
+  const auto elsewhere = drydock("info --json " + dive_, "TZ=Asia/Kolkata");
+  EXPECT_EQ(json::parse(elsewhere.output)["begin"], "2026-11-21T08:00:00Z");
   EXPECT_EQ(info["rig"], "demo");
   EXPECT_THAT(info["written_by"].get<std::string>(), testing::StartsWith("drydock "));
   EXPECT_NEAR(named(info["topics"], "/imu/data")["rate_hz"], 100, 0.5);

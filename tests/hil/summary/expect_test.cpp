@@ -209,6 +209,15 @@ TEST(Expectations, ThatBeginAfterTheRunFail) {
                         "expected streaming"));
 }
 
+TEST(Expectations, ThatBeginWithTheEndHaveNothingToJudge) {
+  const auto rig = shipped("demo", "[[expect]]\ndevice = \"dvl\"\nafter_s = 5\nreopens_max = 0\n");
+  EXPECT_THAT(lines_of(run_for(rig, 5)),
+              testing::Contains("FAIL dvl reopens: none: the run ended at 5.0 s, with after_s = 5, "
+                                "expected at most 0"));
+  EXPECT_THAT(lines_of(run_for(rig, 6)),
+              testing::Contains("PASS dvl reopens: 0, expected at most 0"));
+}
+
 /// The recording has three seconds of sentences and then nothing.
 TEST(Expectations, OfARecordingThatEndsFailWithTheTimeOfItsEnd) {
   auto rig = shipped("demo",

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
@@ -166,6 +167,54 @@ TEST(McapReader, NeverTakesAChangedByteForAnotherMessage) {
       }
     }
   }
+}
+
+/// Where the chunks of a file begin, as the records' own lengths tell it.
+std::vector<std::size_t> chunks_of(const std::string& bytes) {
+  std::vector<std::size_t> chunks;
+  for (std::size_t at = magic.size(); at + record_head < bytes.size();) {
+    std::uint64_t length = 0;
+    std::memcpy(&length, bytes.data() + at + 1, sizeof length);
+    if (bytes[at] == '\x06') chunks.push_back(at);
+    at += record_head + length;
+  }
+  return chunks;
+}
+
+TEST(McapReader, ADamagedChunkCostsNoMoreThanItsOwnMessages) {
+  const std::string whole = recorded(8);
+  const auto chunks = chunks_of(whole);
+  ASSERT_GE(chunks.size(), 7U);
+  const std::size_t in_content = 60, length = 1, packed_length = record_head + 36;
+  for (const std::size_t where : {in_content, length, length + 2, length + 7, packed_length})
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+      std::string bytes = whole;
+      bytes[chunks[i] + where] = static_cast<char>(bytes[chunks[i] + where] ^ 0x04);
+      Reader reader(std::make_unique<std::istringstream>(bytes));
+      const Tally tally = read_all(reader);
+      // A chunk of one second holds 11 moments of two messages each; the last one the rest.
+      EXPECT_GE(tally.messages, 160 - 22) << "byte " << where << " of chunk " << i;
+      EXPECT_LE(tally.messages, 160);
+      EXPECT_EQ(tally.attachments, 1);
+      EXPECT_GE(tally.channels, 2) << "the summary names the channels of chunk " << i;
+      if (i + 1 == chunks.size()) continue;  // nothing behind it tells its end
+      EXPECT_TRUE(tally.complete);
+      if (tally.messages < 160) {
+        EXPECT_THAT(reader.damage(), HasSubstr(" B left out"));
+      }
+    }
+}
+
+TEST(McapReader, SaysHowMuchItLeftOutAndWhereTheFileIsCutToo) {
+  std::string bytes = recorded(8);
+  const auto chunks = chunks_of(bytes);
+  for (const std::size_t i : {2U, 4U}) bytes[chunks[i] + 60] ^= 0x04;
+  Reader reader(std::make_unique<std::istringstream>(bytes.substr(0, chunks.back() + 70)));
+  read_all(reader);
+  EXPECT_THAT(reader.damage(),
+              testing::MatchesRegex(
+                  "byte [0-9]+: a chunk's content is not what its checksum says; [0-9]+ B left out "
+                  "in 2 places; byte [0-9]+: the file is cut here, inside a record"));
 }
 
 TEST(McapReader, SaysWhatIsWrongAndWhere) {
