@@ -45,6 +45,7 @@ TEST(SummaryAcrossAStep, APerfectEstimatorStaysPerfectAndKeepsItsRate) {
       watch.on_estimate(estimate);
     }
     Summary whole;
+    whole.duration_s = 40;
     scribe.write(whole);
     watch.write(whole, std::vector<pipeline::EstimatorStatus>(rig.estimators.size()));
     const auto& seen = whole.estimators.at(0);
