@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "drivers/recordings/record/message_layout.hpp"
 #include "drivers/wire/bytes.hpp"
 
