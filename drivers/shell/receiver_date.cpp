@@ -28,7 +28,7 @@ std::optional<std::chrono::nanoseconds> date_by_receiver(const link::Uri& uri) {
   device::DriverOptions receiver;
   receiver.kind = device::Kind::gnss;
   receiver.protocol = "nmea0183";  // a logger's stamps are known around its sentences alone
-  const auto driver = device::make_byte_driver(std::move(receiver));
+  const auto driver = device::make_byte_driver(receiver);
   if (!driver) return {};
   DateEar ear;
   capture::LineFile line(uri.target, false, std::string(uri.text_of("interface")));

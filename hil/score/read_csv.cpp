@@ -69,10 +69,10 @@ class CsvReader {
   /// disagreement.
   Vector3d place() {
     const bool has_local = head_.has(csv_local), has_geodetic = head_.has(csv_geodetic);
-    const Vector3d local = has_local ? three(csv_local) : Vector3d::Zero();
+    Vector3d local = has_local ? three(csv_local) : Vector3d::Zero();
     if (!has_geodetic) return local;
     const Vector3d v = three(csv_geodetic);
-    const Vector3d geodetic =
+    Vector3d geodetic =
         frame::ned_offset(origin_, {v.x() * units::degree, v.y() * units::degree, v.z()});
     if (!has_local) return geodetic;
     if (!((geodetic - local).norm() <= 0.1 + 1e-3 * local.norm()))
