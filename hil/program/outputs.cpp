@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -73,6 +74,13 @@ std::string name_of(const CLI::Option& option) {
   throw CLI::ValidationError(long_name(output), why);
 }
 
+/// A table of TOML begins as an array of JSON does, but goes on with the letters of its name.
+bool begins_table(std::string_view head) {
+  const auto name = head.find_first_not_of("[ ");
+  return head.starts_with('[') && name != head.npos &&
+         std::isalpha(static_cast<unsigned char>(head[name])) != 0;
+}
+
 /// True if nothing is lost with the file: it is new or empty, no plain file, or of that content.
 bool replaceable(const std::string& path, const Output& output, bool sensor_file) {
   if (!regular(path)) return true;
@@ -82,7 +90,9 @@ bool replaceable(const std::string& path, const Output& output, bool sensor_file
   head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
   if (sensor_file) return head.empty() || head.find("drydock characterize") != std::string::npos;
   const auto first = head.find_first_not_of(" \t\r\n");
-  return first == std::string::npos || output.mark.find(head[first]) != std::string_view::npos;
+  if (first == std::string::npos) return true;
+  return output.mark.find(head[first]) != std::string_view::npos &&
+         !begins_table(std::string_view(head).substr(first));
 }
 
 using Options = std::vector<const CLI::Option*>;

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "tests/hil/program/program.hpp"
 
 namespace outputs_test {
@@ -67,6 +69,16 @@ TEST_F(Outputs, WithoutOverwriteAreNoFilesOfAnotherKind) {
     for (const auto& file : {recording_, rig_})
       EXPECT_THAT(refused("run loop --for 1s --speed max " + option + file),
                   HasSubstr("and would be lost; name another file, or delete it first"));
+}
+
+TEST_F(Outputs, AreNoTomlFileThatBeginsWithATable) {
+  const std::string own = (folder_ / "own.toml").string();
+  for (const char* text : {"[rig]\nname = \"own\"\n", "[[fault]]\ndevice = \"dvl\"\n"}) {
+    std::ofstream(own) << text;
+    EXPECT_THAT(refused("run loop --for 1s --speed max --json " + own),
+                HasSubstr("and would be lost; name another file, or delete it first"));
+    EXPECT_EQ(program::read_file(own), text);
+  }
 }
 
 TEST_F(Outputs, AreTwoFiles) {
