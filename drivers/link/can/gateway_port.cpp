@@ -1,12 +1,11 @@
 #include "drivers/link/can/gateway_port.hpp"
 
 #include <array>
-#include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <chrono>
+#include <span>
 #include <string>
 
-#include "drivers/link/can/frame_hub.hpp"
+#include "drivers/link/can/line_port.hpp"
 #include "drivers/wire/can/gateway_line.hpp"
 
 namespace drydock::link {
@@ -14,68 +13,30 @@ namespace {
 
 namespace gateway_line = wire::gateway_line;
 
-constexpr std::size_t batch_size = 1024;
-
-class GatewayPort {
+class GatewayPort final : public LinePort {
  public:
-  GatewayPort(std::unique_ptr<ByteLink> line, std::shared_ptr<FrameHub::Member> member)
-      : line_(std::move(line)), member_(std::move(member)) {}
-
-  static asio::awaitable<void> hear(std::shared_ptr<GatewayPort> port);
-  static asio::awaitable<void> speak(std::shared_ptr<GatewayPort> port);
-
-  void close() {
-    member_->leave();
-    line_->close();
-  }
+  using LinePort::LinePort;
 
  private:
-  void take_in(wire::Bytes bytes, Stamp at);
-  void obey(Stamp at);
-  void say(const wire::CanFrame& frame, Stamp at, gateway_line::Way way);
-  bool collect();  ///< as many frames as fit into one write; false if the bus has ended
+  using Line = std::array<std::uint8_t, gateway_line::longest>;
 
-  std::unique_ptr<ByteLink> line_;
-  std::shared_ptr<FrameHub::Member> member_;
-  std::array<std::uint8_t, 512> buffer_{};
+  void take_in(wire::Bytes bytes, Stamp at) override;
+  void say(const ReceivedFrame& received) override;
+  void obey(Stamp at);
+
   std::string order_;  ///< the computer's line, as far as it came
-  std::string outgoing_;
 };
 
-asio::awaitable<void> GatewayPort::hear(std::shared_ptr<GatewayPort> port) {
-  for (;;) {
-    const auto received = co_await port->line_->read(port->buffer_);
-    if (!received) break;
-    port->take_in({port->buffer_.data(), received->size}, received->at);
-  }
-  port->close();
+std::string_view line_of(const wire::CanFrame& frame, Stamp at, gateway_line::Way way,
+                         std::span<std::uint8_t> out) {
+  const auto since_midnight = at.time_since_epoch() % std::chrono::days(1);
+  const std::size_t size = gateway_line::encode(frame, since_midnight, way, out);
+  return {reinterpret_cast<const char*>(out.data()), size};
 }
 
-asio::awaitable<void> GatewayPort::speak(std::shared_ptr<GatewayPort> port) {
-  std::string batch;
-  batch.reserve(2 * batch_size);
-  while (port->collect()) {
-    if (port->outgoing_.empty()) {
-      co_await port->member_->changed()->wait();
-      continue;
-    }
-    batch.swap(port->outgoing_);
-    const auto written = co_await port->line_->write(
-        {reinterpret_cast<const std::uint8_t*>(batch.data()), batch.size()});
-    if (!written) break;
-    batch.clear();
-  }
-  port->close();
-}
-
-bool GatewayPort::collect() {
-  while (outgoing_.size() < batch_size) {
-    const auto taken = member_->take();
-    if (!taken) return true;
-    if (!*taken) return false;
-    say((*taken)->frame, (*taken)->at, gateway_line::Way::received);
-  }
-  return true;
+void GatewayPort::say(const ReceivedFrame& received) {
+  Line line;
+  outgoing_.append(line_of(received.frame, received.at, gateway_line::Way::received, line));
 }
 
 /// Of a line that is longer than any order the rest is left out; it is none.
@@ -88,21 +49,13 @@ void GatewayPort::take_in(wire::Bytes bytes, Stamp at) {
   }
 }
 
-/// A program that orders but never reads loses what it would be told.
 void GatewayPort::obey(Stamp at) {
   const auto frame = gateway_line::parse_order(order_);
   order_.clear();
   if (!frame) return;
-  member_->send(*frame, at);
-  if (outgoing_.size() < 4 * batch_size) say(*frame, at, gateway_line::Way::sent);
-  member_->changed()->notify();
-}
-
-void GatewayPort::say(const wire::CanFrame& frame, Stamp at, gateway_line::Way way) {
-  std::array<std::uint8_t, gateway_line::longest> line;
-  const auto since_midnight = at.time_since_epoch() % std::chrono::days(1);
-  const std::size_t size = gateway_line::encode(frame, since_midnight, way, line);
-  outgoing_.append(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(size));
+  member().send(*frame, at);
+  Line line;
+  answer(line_of(*frame, at, gateway_line::Way::sent, line));
 }
 
 }  // namespace
@@ -111,8 +64,7 @@ std::unique_ptr<FrameLink> join_gateway(const asio::any_io_executor& executor,
                                         std::unique_ptr<ByteLink> line) {
   const auto hub = std::make_shared<FrameHub>();
   auto port = std::make_shared<GatewayPort>(std::move(line), hub->join(executor));
-  asio::co_spawn(executor, GatewayPort::hear(port), asio::detached);
-  asio::co_spawn(executor, GatewayPort::speak(port), asio::detached);
+  LinePort::start(executor, port);
   // The port lives until this member closes; its line and its membership end then.
   const std::shared_ptr<void> closer(port.get(), [port](void*) { port->close(); });
   return make_hub_link(hub->join(executor), closer);

@@ -1,11 +1,9 @@
 #include "drivers/link/can/slcan_port.hpp"
 
 #include <array>
-#include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
-#include <string>
 #include <variant>
 
+#include "drivers/link/can/line_port.hpp"
 #include "drivers/wire/can/slcan.hpp"
 #include "drivers/wire/can/slcan_report.hpp"
 
@@ -13,85 +11,31 @@ namespace drydock::link {
 
 namespace slcan = wire::slcan;
 
-/// One adapter: a byte link on one side, a member of the bus on the other. It answers like a
-/// LAWICEL adapter and forwards frames only while its channel is open.
-class SlcanBus::Port {
+/// It answers like a LAWICEL adapter and forwards frames only while its channel is open.
+class SlcanBus::Port final : public LinePort {
  public:
-  Port(std::unique_ptr<ByteLink> line, std::shared_ptr<FrameHub::Member> member)
-      : line_(std::move(line)), member_(std::move(member)) {}
-
-  static asio::awaitable<void> hear(std::shared_ptr<Port> port);
-  static asio::awaitable<void> speak(std::shared_ptr<Port> port);
-
-  void close() {
-    member_->leave();
-    line_->close();
-  }
+  using LinePort::LinePort;
 
  private:
-  void take_in(wire::Bytes bytes, Stamp at);
+  void take_in(wire::Bytes bytes, Stamp at) override;
+  void say(const ReceivedFrame& received) override;
   void handle(wire::Bytes line, Stamp at);
   void on_frame(const wire::CanFrame& frame, Stamp at);
   void on_command(const slcan::Command& command);
-  void answer(std::string_view text) {
-    // A program that sends but never reads its answers loses them.
-    if (outgoing_.size() < 4 * batch_size) outgoing_.append(text);
-    member_->changed()->notify();
-  }
-  /// Collects answers and as many frames as fit into one write. False if the bus has ended.
-  bool collect();
 
-  static constexpr std::size_t batch_size = 1024;
-
-  std::unique_ptr<ByteLink> line_;
-  std::shared_ptr<FrameHub::Member> member_;
   wire::Framer<wire::Slcan::max_frame> framer_;
-  std::array<std::uint8_t, 512> buffer_{};
-  std::string outgoing_;
   bool channel_open_ = false, only_listens_ = false;
 };
 
-asio::awaitable<void> SlcanBus::Port::hear(std::shared_ptr<Port> port) {
-  for (;;) {
-    const auto received = co_await port->line_->read(port->buffer_);
-    if (!received) break;
-    port->take_in({port->buffer_.data(), received->size}, received->at);
+void SlcanBus::Port::say(const ReceivedFrame& received) {
+  if (!channel_open_) return;
+  if (received.frame.error) {
+    outgoing_.append(slcan::report_of(received.frame));
+    return;
   }
-  port->close();
-}
-
-asio::awaitable<void> SlcanBus::Port::speak(std::shared_ptr<Port> port) {
-  std::string batch;
-  batch.reserve(2 * batch_size);
-  while (port->collect()) {
-    if (port->outgoing_.empty()) {
-      co_await port->member_->changed()->wait();
-      continue;
-    }
-    batch.swap(port->outgoing_);
-    const auto written = co_await port->line_->write(
-        {reinterpret_cast<const std::uint8_t*>(batch.data()), batch.size()});
-    if (!written) break;
-    batch.clear();
-  }
-  port->close();
-}
-
-bool SlcanBus::Port::collect() {
-  while (outgoing_.size() < batch_size) {
-    const auto taken = member_->take();
-    if (!taken) return true;
-    if (!*taken) return false;
-    if (!channel_open_) continue;
-    if ((*taken)->frame.error) {
-      outgoing_.append(slcan::report_of((*taken)->frame));
-      continue;
-    }
-    std::array<std::uint8_t, wire::Slcan::max_frame> line;
-    const std::size_t size = slcan::encode(slcan::Frame{(*taken)->frame, std::nullopt}, line);
-    outgoing_.append(line.begin(), line.begin() + size);
-  }
-  return true;
+  std::array<std::uint8_t, wire::Slcan::max_frame> line;
+  const std::size_t size = slcan::encode(slcan::Frame{received.frame, std::nullopt}, line);
+  outgoing_.append(line.begin(), line.begin() + size);
 }
 
 void SlcanBus::Port::take_in(wire::Bytes bytes, Stamp at) {
@@ -112,7 +56,7 @@ void SlcanBus::Port::handle(wire::Bytes line, Stamp at) {
 
 void SlcanBus::Port::on_frame(const wire::CanFrame& frame, Stamp at) {
   if (!channel_open_ || only_listens_ || frame.fd) return answer("\a");
-  member_->send(frame, at);
+  member().send(frame, at);
   answer(frame.extended ? "Z\r" : "z\r");
 }
 
@@ -137,8 +81,7 @@ std::shared_ptr<SlcanBus> SlcanBus::open(const asio::any_io_executor& executor,
   std::shared_ptr<SlcanBus> bus(new SlcanBus(executor));
   for (auto& line : lines) {
     auto port = std::make_shared<Port>(std::move(line), bus->hub_->join(executor));
-    asio::co_spawn(executor, Port::hear(port), asio::detached);
-    asio::co_spawn(executor, Port::speak(port), asio::detached);
+    LinePort::start(executor, port);
     bus->ports_.push_back(std::move(port));
   }
   return bus;
