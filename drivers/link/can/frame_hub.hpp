@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drivers/io/signal.hpp"
+#include "drivers/link/opening.hpp"
 
 namespace drydock::link {
 
