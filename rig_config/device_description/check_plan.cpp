@@ -28,7 +28,7 @@ bool heads_meet(const Message& a, const Message& b) {
 
 bool at_one_place(const Field& a, const Field& b) {
   const auto place = [](const Field& f) {
-    return std::tuple(f.at, f.size, f.big_endian, f.first_bit, f.bits);
+    return std::tuple(f.at, f.size, f.big_endian, f.low_word_first, f.first_bit, f.bits);
   };
   return place(a) == place(b);
 }

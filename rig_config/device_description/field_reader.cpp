@@ -28,7 +28,6 @@ class FieldReader {
 
   Field run() {
     field_.end = context_.separator;
-    field_.big_endian = context_.big_endian;
     if (context_.form == Form::frames)
       read_signal();
     else if (context_.groups)
@@ -178,9 +177,19 @@ class FieldReader {
     if (context_.form == Form::frames && signal_) return read_bits(signal_->layout.bits);
     if (context_.form != Form::binary) return;
     field_.at = static_cast<std::uint16_t>(table_.find("at")->integer);
-    if (const Node* order = table_.find("order")) field_.big_endian = order->text == "big";
+    read_order();
     if (const Node* record = table_.find("record")) read_record(*record);
     read_bits(8u * field_.size);
+  }
+
+  void read_order() {
+    const NumberOrder order = order_of(table_, context_.order);
+    field_.big_endian = order.big_endian;
+    field_.low_word_first = order.low_word_first && field_.size > 1;
+    if (field_.low_word_first && field_.size % 2 != 0)
+      add(*table_.find("type"),
+          fmt::format("\"{}\" is no number of whole words; CDAB and BADC are orders of words",
+                      table_.find("type")->text));
   }
 
   void read_record(const Node& record) {

@@ -5,6 +5,7 @@
 
 #include "drivers/wire/dbc/database.hpp"
 #include "drivers/wire/described/plan.hpp"
+#include "rig_config/device_description/protocol_keys.hpp"
 #include "rig_config/load.hpp"
 #include "rig_config/toml/node.hpp"
 
@@ -15,7 +16,7 @@ struct FieldContext {
   wire::described::Form form;
   std::optional<measurement::Kind> kind;  ///< empty: of a sensor that measures nothing
   char separator;                         ///< behind a field of a text
-  bool big_endian;                        ///< unless the field says it
+  NumberOrder order;                      ///< unless the field says it
   std::string file, path;
   const wire::dbc::Message* message = nullptr;       ///< frames: that of the DBC file
   const std::vector<std::string>* groups = nullptr;  ///< lines: of their pattern

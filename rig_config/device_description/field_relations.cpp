@@ -4,11 +4,20 @@
 
 #include <algorithm>
 
+#include "rig_config/device_description/units.hpp"
+
 namespace drydock::rig_config {
 namespace {
 
 namespace described = wire::described;
 using described::Field;
+
+/// A unit that a part may have.
+std::string_view units_like(described::Dimension dimension) {
+  for (const WireUnit& unit : wire_units)
+    if (unit.dimension == dimension) return unit.name;
+  return "1";
+}
 
 struct Relations {
   const std::string& file;
@@ -32,6 +41,30 @@ struct Relations {
       return add(*per, path + "/per",
                  "names a field of this message that is a time, for a 'field'");
     fields[i].divisor = static_cast<std::uint8_t>(found - fields.begin());
+  }
+
+  /// Its whole is in the same dimension: the unit may be another one.
+  void find_whole() {
+    const Node* to = table.find("adds_to");
+    if (!to) return;
+    const auto found = std::ranges::find(fields, to->text, &Field::key);
+    const bool is_value = found != fields.end() && found->target && fields[i].key != to->text;
+    if (!is_value || fields[i].target || found->divisor || found->offset != 0)
+      return add(*to, path + "/adds_to",
+                 "names a 'field' of this message, without 'per' and 'offset'; the part itself has "
+                 "a 'name'");
+    const auto& whole = described::row_of(*found->target);
+    const Node* named = table.find("unit");
+    const WireUnit* unit = named ? find_unit(named->text) : nullptr;
+    if (!unit || !(unit->dimension == whole.dimension) || described::notation_named(unit->name))
+      return add(named ? *named : table, path + "/unit",
+                 fmt::format("a part of {} needs a unit of it, such as \"{}\"", whole.name,
+                             units_like(whole.dimension)));
+    if (fields[i].factor <= 0 || fields[i].offset != 0 || found->factor <= 0)
+      return add(table, path, "a part and its whole have positive scales, and no 'offset'");
+    found->has_parts = true;
+    fields[i].part_of = static_cast<std::uint8_t>(found - fields.begin());
+    fields[i].part_factor = unit->factor;
   }
 
   void find_signed() {
@@ -72,6 +105,7 @@ void relate_fields(std::span<const Node> tables, bool in_order, std::vector<Fiel
   for (std::size_t i = 0; i < fields.size(); ++i) {
     Relations one{file, fmt::format("{}/fields/{}", path, i), tables[i], fields, i, problems};
     one.find_divisor();
+    one.find_whole();
     one.find_signed();
     one.check_key();
     if (!in_order) continue;

@@ -90,7 +90,7 @@ class HeadReader {
       add(*length, path_ + "/length", "a length has a type u8, u16, u24 or u32");
     message_.length.at = static_cast<std::uint16_t>(length->find("at")->integer);
     message_.length.size = field.size;
-    message_.length.big_endian = is_big_endian(protocol_);
+    message_.length.big_endian = order_of(protocol_).big_endian;
     if (const Node* order = length->find("order"))
       message_.length.big_endian = order->text == "big";
     if (const Node* plus = length->find("plus"))
@@ -114,7 +114,7 @@ class HeadReader {
     records.id_size = record_part(table, "id");
     records.length_at = static_cast<std::uint8_t>(table.find("length")->find("at")->integer);
     records.length_size = record_part(table, "length");
-    records.big_endian = is_big_endian(protocol_);
+    records.big_endian = order_of(protocol_).big_endian;
     if (const Node* plus = table.find("length")->find("plus"))
       records.plus = static_cast<std::uint8_t>(plus->integer);
     const bool apart = records.id_at + records.id_size <= records.length_at ||

@@ -173,7 +173,7 @@ class PlanReader {
           plan().form,
           description_.kind,
           separator_of(protocol_),
-          is_big_endian(protocol_),
+          order_of(protocol_),
           file_,
           fmt::format("{}/fields/{}", path, i),
           frames_ ? &frames_->frames[plan().messages.size()].message : nullptr,
@@ -190,6 +190,7 @@ class PlanReader {
         std::ranges::any_of(read, [](const Field& f) { return f.divisor.has_value(); });
     message.has_signs =
         std::ranges::any_of(read, [](const Field& f) { return f.type == Type::sign; });
+    message.has_parts = std::ranges::any_of(read, &Field::has_parts);
     message.fields = static_cast<std::uint16_t>(count);
     message.mapped = mapped(read);
     if (frames_)

@@ -30,9 +30,9 @@ class KeysReader {
 
  private:
   void read_checksums() {
-    std::string order = is_big_endian(protocol_) ? "big" : "little";
-    read(protocol_, "checksum_order", order);
-    plan_.checksum_big_endian = order == "big";
+    plan_.checksum_big_endian = order_of(protocol_).big_endian;
+    if (const Node* order = protocol_.find("checksum_order"))
+      plan_.checksum_big_endian = order->text == "big";
     if (const Node* word = protocol_.find("checksum"))
       read_checksum(*word, "/protocol/checksum", plan_.checksum, file_, problems_);
     else if (plan_.form == Form::sentences)
@@ -126,9 +126,11 @@ void read_protocol_keys(const Node& protocol, Plan& plan, const std::string& fil
   KeysReader(protocol, plan, file, problems).run();
 }
 
-bool is_big_endian(const Node& protocol) {
-  const Node* order = protocol.find("order");
-  return order && order->text == "big";
+NumberOrder order_of(const Node& table, NumberOrder usual) {
+  const Node* order = table.find("order");
+  if (!order) return usual;
+  const std::string_view word = order->text;
+  return {word == "big" || word == "CDAB", word == "CDAB" || word == "BADC"};
 }
 
 char separator_of(const Node& protocol) {

@@ -11,8 +11,14 @@ namespace drydock::rig_config {
 void read_protocol_keys(const Node& protocol, wire::described::Plan& plan, const std::string& file,
                         Problems& problems);
 
-/// True if numbers of several bytes have their high byte first.
-bool is_big_endian(const Node& protocol);
+/// The order of the bytes and words of a number. The highest byte A of four stands first, last, or
+/// in one of the two ways of Modbus registers: `CDAB`, `BADC`.
+struct NumberOrder {
+  bool big_endian = false, low_word_first = false;
+};
+
+/// Of the key `order` of this table, else `usual`.
+NumberOrder order_of(const Node& table, NumberOrder usual = {});
 
 /// What stands behind a field of a text, unless the field says otherwise.
 char separator_of(const Node& protocol);

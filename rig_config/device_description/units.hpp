@@ -39,6 +39,8 @@ inline constexpr auto wire_units = [] {
       {"ns", d::time, 1e-9},
       {"min", d::time, 60},
       {"h", d::time, 3600},
+      {"d", d::time, 86400},
+      {"week", d::time, 604800},
       {"hhmmss", d::time},
       {"hh:mm:ss", d::time},
       {"ddmmyy", d::date},

@@ -3,17 +3,19 @@
 
 #include "drivers/wire/described/binary_bytes.hpp"
 #include "drivers/wire/described/codec.hpp"
+#include "drivers/wire/described/parts.hpp"
 #include "drivers/wire/described/records.hpp"
 
 namespace drydock::wire::described {
 namespace {
 
-std::optional<double> decimal_digits(Bytes digits, bool big_endian) {
+/// Two decimal digits of each byte.
+std::optional<double> decimal_digits(std::uint64_t raw, std::size_t size) {
   double value = 0;
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    const std::uint8_t byte = digits[big_endian ? i : digits.size() - 1 - i];
-    if ((byte >> 4) > 9 || (byte & 15) > 9) return {};
-    value = value * 100 + (byte >> 4) * 10 + (byte & 15);
+  for (std::size_t digit = 2 * size; digit-- > 0;) {
+    const unsigned one = raw >> (4 * digit) & 15;
+    if (one > 9) return {};
+    value = value * 10 + one;
   }
   return value;
 }
@@ -26,9 +28,8 @@ std::uint64_t packed_septets(std::uint64_t raw, std::size_t size) {
 }
 
 std::optional<double> number_of(const Field& field, Bytes frame) {
-  if (field.type == Type::bcd)
-    return decimal_digits(frame.subspan(field.at, field.size), field.big_endian);
-  const std::uint64_t raw = load(frame, field.at, field.size, field.big_endian);
+  const std::uint64_t raw = load(field, frame);
+  if (field.type == Type::bcd) return decimal_digits(raw, field.size);
   if (field.type == Type::septet) return static_cast<double>(packed_septets(raw, field.size));
   if (field.type == Type::real && field.size == 4)
     return std::bit_cast<float>(static_cast<std::uint32_t>(raw));
@@ -82,6 +83,7 @@ bool decode_binary(const Plan& plan, const Message& message, Bytes frame, Record
     if (!fields[i].record && !take(fields[i], content, i, record)) return false;
   }
   if (message.records && !take_records(plan, message, content, record)) return false;
+  join_parts(record);
   divide(record);
   return true;
 }
@@ -129,10 +131,10 @@ void put(const Field& field, double number, std::span<std::uint8_t> out) {
     raw = spread_septets(number, field.size);
   } else {
     const std::uint64_t mask = mask_of(bits_of(field)) << field.first_bit;
-    raw = load(out, field.at, field.size, field.big_endian) & ~mask;
+    raw = load(field, out) & ~mask;
     raw |= integer_of(field, number) << field.first_bit & mask;
   }
-  store(out, field.at, field.size, field.big_endian, raw);
+  store(field, raw, out);
 }
 
 }  // namespace

@@ -18,6 +18,24 @@ inline void store(std::span<std::uint8_t> out, std::size_t at, std::size_t size,
     out[at + (big_endian ? size - 1 - i : i)] = static_cast<std::uint8_t>(value);
 }
 
+/// Turns the order of the 16-bit words of an integer of `size` bytes, which is even.
+constexpr std::uint64_t words_turned(std::uint64_t value, std::size_t size) {
+  std::uint64_t turned = 0;
+  for (std::size_t i = 0; i < size; i += 2, value >>= 16) turned = turned << 16 | (value & 0xFFFF);
+  return turned;
+}
+
+/// The bits of a field of this message, the lowest one as bit 0.
+inline std::uint64_t load(const Field& field, Bytes bytes) {
+  const std::uint64_t raw = load(bytes, field.at, field.size, field.big_endian);
+  return field.low_word_first ? words_turned(raw, field.size) : raw;
+}
+
+inline void store(const Field& field, std::uint64_t value, std::span<std::uint8_t> out) {
+  store(out, field.at, field.size, field.big_endian,
+        field.low_word_first ? words_turned(value, field.size) : value);
+}
+
 inline Bytes bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
@@ -31,8 +49,8 @@ inline unsigned bits_of(const Field& field) {
 }
 
 inline bool has_constant(const Field& field, Bytes bytes) {
-  const std::uint64_t raw = load(bytes, field.at, field.size, field.big_endian);
-  return static_cast<double>(raw >> field.first_bit & mask_of(bits_of(field))) == field.idle;
+  return static_cast<double>(load(field, bytes) >> field.first_bit & mask_of(bits_of(field))) ==
+         field.idle;
 }
 
 /// Bytes of a whole message that begins so. Empty: more bytes must come before that is known.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/wire/described/parts.hpp"
+
 namespace drydock::wire::described {
 namespace {
 
@@ -102,13 +104,17 @@ std::optional<double> wire_number(std::span<const Field> fields, const Field& fi
                                   const Readings& readings) {
   if (field.validity)
     return measures_nothing(fields, readings) ? field.validity->bad_number : field.idle;
-  if (!field.target) return field.idle;
-  std::optional<double> value = readings.get(*field.target);
+  const auto target = field.part_of ? fields[*field.part_of].target : field.target;
+  if (!target) return field.idle;
+  std::optional<double> value = readings.get(*target);
   if (value && field.divisor) {
     const auto by = readings.get(*fields[*field.divisor].target);
     value = by ? std::optional(*value * *by) : std::nullopt;
   }
-  if (value) value = (*value - field.offset) / field.factor;
+  if (value && (field.has_parts || field.part_of))
+    value = part_number(fields, field, *value);
+  else if (value)
+    value = (*value - field.offset) / field.factor;
   if (value && std::isfinite(*value)) return value;
   return field.no_value.empty() ? std::nullopt : std::optional(field.no_value.front());
 }

@@ -52,7 +52,8 @@ void unread_records(const Plan& plan, Bytes frame,
 inline void take_number(const Field& field, double number, Value& value) {
   for (const double none : field.no_value)
     if (none == number) return;
-  value.number = number * field.factor + field.offset;
+  value.number = number * field.factor;
+  if (!field.has_parts) value.number += field.offset;  // -0 degrees and 30 minutes are south
   value.state = std::isfinite(value.number) ? Value::State::number : Value::State::malformed;
 }
 void take_validity(const Field& field, const Value& raw, std::string_view text, Record& record);

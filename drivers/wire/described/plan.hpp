@@ -59,6 +59,7 @@ struct Field {
   std::uint16_t at = 0;   ///< binary: first byte; frames: the signal; a pattern: the group
   std::uint8_t size = 0;  ///< binary: bytes
   bool big_endian = false;
+  bool low_word_first = false;           ///< binary: its 16-bit words stand in the other order
   std::optional<std::uint16_t> record;   ///< binary: `at` counts in the content of this record
   std::uint8_t first_bit = 0, bits = 0;  ///< a part of the integer; bits 0: all of it
   double factor = 1, offset = 0;         ///< value = number * factor + offset
@@ -66,6 +67,9 @@ struct Field {
   std::optional<Target> target;
   std::uint8_t rank = 1;  ///< of fields with one target the lowest with a value counts
   std::optional<std::uint8_t> divisor;  ///< the field of this message by which it is divided
+  std::optional<std::uint8_t> part_of;  ///< the field of this message to which it is added
+  double part_factor = 1;               ///< SI value of one of it
+  bool has_parts = false;               ///< another field is added to it
   std::optional<Validity> validity;
   std::uint8_t sign_of = 0;              ///< of a sign: the field of this message that it has
   std::string minus;                     ///< of a sign
@@ -125,6 +129,7 @@ struct Message {
   bool publishes = false;            ///< a field is part of a measurement
   bool divides = false;              ///< a field has a divisor
   bool has_signs = false;            ///< a field is the sign of another one
+  bool has_parts = false;            ///< a field is added to another one
   bool emulated = false;             ///< an emulated device sends it with each sample
   /// The message, by its place, that says the same: this one is no measurement while that one
   /// comes.

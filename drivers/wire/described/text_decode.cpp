@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drivers/wire/described/codec.hpp"
+#include "drivers/wire/described/parts.hpp"
 #include "drivers/wire/plain_number.hpp"
 #include "drivers/wire/text_fields.hpp"
 
@@ -188,6 +189,7 @@ bool decode_cuts(const Plan& plan, const FlatText& flat, const Cuts& cuts, Recor
     else if (!take(plan, fields[i], cuts[i], i, record))
       return false;
   }
+  join_parts(record);
   apply_signs(record);
   divide(record);
   return true;
@@ -206,6 +208,7 @@ bool decode_pattern(const Plan& plan, const Message& message, std::string_view t
     if (found.empty() && fields[i].validity) record.valid = false;
     if (!found.empty() && !take(plan, fields[i], found, i, record)) return false;
   }
+  join_parts(record);
   apply_signs(record);
   divide(record);
   return true;

@@ -48,7 +48,8 @@ void write_number(const Plan& plan, const Field& field, double number, FieldWrit
   constexpr double limit = 9e18;  // what 64 bits hold: microseconds since 1970 need 1.8e15
   const double sent = std::clamp(number, -limit, limit);
   const auto digits = digits_of(field, std::abs(sent), plan.decimal_comma, buffer);
-  const char sign = sent < 0 ? '-' : field.sign;
+  const bool is_negative = sent < 0 || (field.has_parts && std::signbit(sent));
+  const char sign = is_negative ? '-' : field.sign;
   if (sign != 0) line.text({&sign, 1});
   for (std::size_t n = digits.size() + (sign != 0); n < field.width; ++n) line.text("0");
   line.text(digits);
