@@ -1,5 +1,7 @@
 #include "rig_config/shipped.hpp"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 
 namespace drydock::rig_config {
@@ -11,14 +13,28 @@ bool holds_files(const std::filesystem::path& folder) {
   return std::filesystem::is_directory(folder / "rig_config" / rigs, error);
 }
 
+/// In a folder above `file`, or in share/drydock beside one.
+std::filesystem::path folder_above(const std::filesystem::path& file) {
+  for (auto folder = file.parent_path(); folder != folder.parent_path();
+       folder = folder.parent_path())
+    for (const auto& place : {folder, folder / "share/drydock"})
+      if (holds_files(place)) return place;
+  return {};
+}
+
+/// The file that this code is in: the program, or a library or a module of another one.
+std::filesystem::path own_file() {
+  std::error_code error;
+  Dl_info found{};
+  const bool known = dladdr(reinterpret_cast<const void*>(&own_file), &found) != 0;
+  return known ? std::filesystem::canonical(found.dli_fname, error) : std::filesystem::path{};
+}
+
 std::filesystem::path find_folder() {
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-  for (auto folder = program.parent_path(); folder != folder.parent_path();
-       folder = folder.parent_path())
-    if (holds_files(folder)) return folder;
-  const auto installed = program.parent_path().parent_path() / "share/drydock";
-  return holds_files(installed) ? installed : std::filesystem::path{};
+  const auto found = folder_above(program);
+  return found.empty() ? folder_above(own_file()) : found;
 }
 
 bool is_there(const std::filesystem::path& path) {

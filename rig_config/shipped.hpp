@@ -13,8 +13,8 @@ namespace drydock::rig_config {
 inline constexpr std::string_view rigs = "rigs", missions = "missions", sensors = "sensors",
                                   vehicles = "vehicles", campaigns = "campaigns", starts = "starts";
 
-/// The folder that holds rig_config: a folder above the program, else ../share/drydock beside its
-/// own. Empty: there is none.
+/// The folder that holds rig_config: a folder above the program, or share/drydock beside one; else
+/// so of the library that this code is in. Empty: there is none.
 std::filesystem::path shipped_folder();
 
 /// The shipped files of a kind, sorted.

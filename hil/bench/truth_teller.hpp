@@ -9,8 +9,8 @@
 namespace drydock::bench {
 
 /// Tells the other followers the truth at the time of an estimate, before they hear the estimate,
-/// at most once in 40 ms; and between estimates every 40 to 60 ms, whether they come or not. Add it
-/// before the followers that need the truth.
+/// at most once in 40 ms and never one that is older than another; and between estimates every 40
+/// to 60 ms, whether they come or not. Add it before the followers that need the truth.
 class TruthTeller final : public host::Follower {
  public:
   /// Truth and follower must outlive the teller. `wait`: how late an estimate may come after its

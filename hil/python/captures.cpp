@@ -1,8 +1,10 @@
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include "drivers/decode/replay.hpp"
 #include "hil/python/measurement_tables.hpp"
 #include "hil/python/topics.hpp"
+#include "hil/python/warn.hpp"
 #include "rig_config/device_description/load_description.hpp"
 
 namespace drydock::python {
@@ -22,12 +24,24 @@ py::dict decode_capture(const std::string& path, const std::string& protocol,
   options.interface = interface;
   options.address = address;
   MeasurementTables tables;
+  std::size_t measurements = 0;
+  decode::Played played;
   {
     const py::gil_scoped_release others_run;
     if (rig_config::is_description(protocol))
       options.description = rig_config::find_description(protocol, "").value();
-    decode::play(options, [&](const measurement::Measurement& m) { tables.add(m); });
+    played = decode::play(options, [&](const measurement::Measurement& m) {
+      ++measurements;
+      tables.add(m);
+    });
   }
+  const auto& account = played.account;
+  if (measurements == 0)
+    warn(
+        fmt::format("{}: no measurement of {} in it: {} bytes, {} frames, {} bad checksums, {} "
+                    "bytes skipped; drydock probe file:PATH says what it looks like",
+                    path, protocol, account.bytes_in, account.frames, account.bad_checksums,
+                    account.bytes_skipped));
   return tables.take(0);
 }
 

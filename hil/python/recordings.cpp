@@ -7,19 +7,28 @@
 #include "hil/python/measurement_tables.hpp"
 #include "hil/python/message_table.hpp"
 #include "hil/python/topics.hpp"
+#include "hil/python/warn.hpp"
 
 namespace drydock::python {
 namespace {
 
 using Seconds = std::optional<double>;
 
+std::chrono::nanoseconds moment_of(double seconds, const char* name) {
+  constexpr double longest = 9e9;  // more than nanoseconds of 64 bits hold
+  if (!(std::abs(seconds) < longest))
+    throw std::invalid_argument(
+        fmt::format("{} is {}, allowed: seconds since the first message", name, seconds));
+  return measurement::from_seconds(seconds);
+}
+
 record::Selection selection_of(std::vector<std::string> only, Seconds from_s, Seconds to_s) {
   if (from_s && to_s && !(*from_s < *to_s))
     throw std::invalid_argument(
         fmt::format("from_s is {} and to_s is {}, allowed: from_s before to_s", *from_s, *to_s));
   record::Selection part{.only = std::move(only), .from = {}, .to = {}};
-  if (from_s) part.from = measurement::from_seconds(*from_s);
-  if (to_s) part.to = measurement::from_seconds(*to_s);
+  if (from_s) part.from = moment_of(*from_s, "from_s");
+  if (to_s) part.to = moment_of(*to_s, "to_s");
   return part;
 }
 
@@ -28,11 +37,6 @@ record::Recording opened(const std::string& path, const record::Selection& part)
   if (const auto why = record::misfit(part, recording); !why.empty())
     throw std::invalid_argument(path + ": " + why);
   return recording;
-}
-
-void warn(const std::string& line) {
-  if (!line.empty() && PyErr_WarnEx(PyExc_RuntimeWarning, line.c_str(), 1) != 0)
-    throw py::error_already_set();
 }
 
 class Listener final : public device::Listener {

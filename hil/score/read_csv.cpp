@@ -23,20 +23,22 @@ class CsvReader {
  public:
   CsvReader(const CsvHead& head, const frame::Position& origin) : head_(head), origin_(origin) {}
 
-  /// False: the time or the position is no number.
-  bool read(const std::string& text, std::uint64_t number) {
+  /// Why the line cannot be one of a track; empty: it can.
+  std::string read(const std::string& text, std::uint64_t number) {
     number_ = number;
     cells_ = csv_cells(text);
     while (cells_.size() > head_.size() && cells_.back().empty()) cells_.pop_back();
     if (cells_.size() != head_.size()) {
       note(fmt::format("not the {} cells of line 1, left out", head_.size()));
-      return true;
+      return {};
     }
+    if (head_.has(csv_geodetic))
+      if (auto why = no_place(three(csv_geodetic)); !why.empty()) return why;
     const auto at = time();
     const Vector3d position = place();
-    if (!at || !position.allFinite()) return false;
+    if (!at || !position.allFinite()) return "a time or a position is no number";
     out_.track.push_back({*at, position, attitude(), covariance()});
-    return true;
+    return {};
   }
 
   Estimates result() {
@@ -54,6 +56,15 @@ class CsvReader {
       values[i] = number_of(cell(group.at(static_cast<std::size_t>(i))))
                       .value_or(std::numeric_limits<double>::quiet_NaN());
     return values;
+  }
+
+  /// Columns in each other's place often show here: a longitude may be above 90.
+  static std::string no_place(const Vector3d& geodetic) {
+    if (std::abs(geodetic.x()) > 90)
+      return fmt::format("latitude_deg = {}, allowed: -90 to 90", geodetic.x());
+    if (std::abs(geodetic.y()) > 360)
+      return fmt::format("longitude_deg = {}, allowed: -360 to 360", geodetic.y());
+    return {};
   }
 
   std::optional<measurement::Stamp> time() {
@@ -120,8 +131,8 @@ boost::system::result<Estimates, Problem> read_csv(std::istream& in, const std::
   CsvReader reader(head, origin);
   for (std::uint64_t number = 2; std::getline(in, text); ++number) {
     if (text.empty() || text == "\r") continue;
-    if (!reader.read(text, number))
-      return Problem{fmt::format("{}:{}: a time or a position is no number", name, number)};
+    if (const auto why = reader.read(text, number); !why.empty())
+      return Problem{fmt::format("{}:{}: {}", name, number, why)};
   }
   return reader.result();
 }

@@ -2,7 +2,9 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <map>
 
@@ -93,10 +95,14 @@ class OdometryTopic {
 
 using Topics = std::map<std::string, OdometryTopic>;
 
-/// The topic with this name, or the only one; else null.
+/// A recording of a run has its own truth beside the estimates.
+bool is_truth(const Topics::value_type& one) { return one.first.starts_with("/estimate/truth"); }
+
+/// The topic with this name, or the only one that is no truth; else null.
 OdometryTopic* chosen(Topics& topics, const std::string& name) {
-  if (name.empty()) return topics.size() == 1 ? &topics.begin()->second : nullptr;
-  const auto found = topics.find(name);
+  const auto estimates = std::ranges::count_if(topics, std::not_fn(is_truth));
+  if (name.empty() && estimates != 1) return nullptr;
+  const auto found = name.empty() ? std::ranges::find_if_not(topics, is_truth) : topics.find(name);
   return found == topics.end() ? nullptr : &found->second;
 }
 
@@ -104,6 +110,10 @@ Problem which_topic(const Topics& topics, const std::string& path, const std::st
   std::vector<std::string> names;
   for (const auto& [topic, odometry] : topics) names.push_back(text::printable(topic));
   if (names.empty()) return {fmt::format("{}: no topic of nav_msgs/Odometry in it", path)};
+  if (name.empty() && std::ranges::all_of(topics, is_truth))
+    return {fmt::format(
+        "{}: of nav_msgs/Odometry it has only the truth, {}; give --topic to score that", path,
+        fmt::join(names, ", "))};
   return {fmt::format("{}: {}; give --topic, one of: {}", path,
                       name.empty() ? "several topics of nav_msgs/Odometry"
                                    : fmt::format("no topic '{}' of nav_msgs/Odometry", name),

@@ -20,15 +20,18 @@ std::vector<std::string> words_of(std::string_view line) {
 }
 
 boost::system::result<Pose, Problem> tum_pose(const std::vector<std::string>& words) {
-  const Problem misfit{"not t x y z qx qy qz qw"};
-  if (words.size() != 8) return misfit;
+  if (words.size() != 8) return Problem{"not t x y z qx qy qz qw"};
   const auto at = stamp_of_seconds(words[0]);
   const auto number = [&](std::size_t i) {
     return number_of(words[i]).value_or(std::numeric_limits<double>::quiet_NaN());
   };
   const Eigen::Vector3d position{number(1), number(2), number(3)};
   const Eigen::Quaterniond q(number(7), number(4), number(5), number(6));
-  if (!at || !position.allFinite() || q.coeffs().hasNaN()) return misfit;
+  if (!at)
+    return Problem{fmt::format("\"{}\" is no time in seconds (since 1970, or of the truth's clock)",
+                               words[0])};
+  if (!position.allFinite() || q.coeffs().hasNaN())
+    return Problem{"a value of the pose is no number"};
   if (const double norm = q.norm(); !(std::abs(norm - 1) < 0.01))
     return Problem{fmt::format("the quaternion's length is {:.3g}, allowed: 0.99 to 1.01", norm)};
   return Pose{*at, ned_of_enu(position), ned_of_enu(q), {}};

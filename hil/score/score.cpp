@@ -27,6 +27,8 @@ boost::system::result<Estimates, Problem> read_track(const ScoreOptions& options
   const std::string& path = options.estimates;
   const std::string format = options.format.empty() ? ending_of(path) : options.format;
   if (format == "mcap") return read_odometry(path, options.topic);
+  if (!options.topic.empty())
+    throw std::invalid_argument("--topic is of an MCAP file; other files have one track");
   if (const auto why = rig_config::file_trouble(path); !why.empty())
     return Problem{fmt::format("{}: {}", path, why)};
   std::ifstream file(path);

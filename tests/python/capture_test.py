@@ -38,6 +38,10 @@ class Capture(unittest.TestCase):
                 np.testing.assert_array_equal(table[name][row], np.broadcast_to(wanted, table[name][row].shape), err_msg=name)
         self.assertEqual([next(left, None) for left in rows.values()], [None] * len(rows))
 
+    def test_a_file_without_any_measurement_is_told(self):
+        with self.assertWarnsRegex(RuntimeWarning, "golden.pd0: no measurement of ubx in it: .* bytes skipped; drydock probe"):
+            self.assertEqual(drydock.decode_capture(GOLDEN, "ubx"), {})
+
     def test_an_array_is_the_memory_that_the_decoder_filled(self):
         table = drydock.decode_capture(GOLDEN, "pd0")["bottom_velocity"]
         for name, array in table.items():

@@ -74,6 +74,10 @@ class Recording(unittest.TestCase):
                 read(recording, only="imu")
             with self.assertRaisesRegex(ValueError, "allowed: from_s before to_s"):
                 read(recording, from_s=20, to_s=10)
+            for name in ("from_s", "to_s"):
+                for seconds in (float("nan"), float("inf"), 1e10):
+                    with self.assertRaisesRegex(ValueError, f"{name} is .*, allowed: seconds since the first message"):
+                        read(recording, **{name: seconds})
         with self.assertRaisesRegex(RuntimeError, "no-such.mcap"):
             drydock.decode_recording("no-such.mcap")
         with tempfile.TemporaryDirectory() as folder:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "hil/campaign/plan/placeholders.hpp"
 #include "hil/campaign/plan/read_parameter.hpp"
@@ -38,6 +39,12 @@ FigureConfig read_figure(const Node& table) {
   return figure;
 }
 
+/// Capitals or not, as a data base compares the names of columns.
+bool are_one_name(const std::string& a, const std::string& b) {
+  return std::ranges::equal(
+      a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
 /// Columns of the results and placeholders share one set of names.
 void check_names(const Node& root, const std::string& path, Problems& problems) {
   std::vector<std::string> seen{"index",  "repetition", "seed",   "json",
@@ -45,9 +52,11 @@ void check_names(const Node& root, const std::string& path, Problems& problems) 
   for (const char* list : {"parameter", "figure"})
     rig_config::for_each_table(root, list, [&](const Node& table, std::size_t i) {
       const Node& name = *table.find("name");
-      if (std::ranges::find(seen, name.text) != seen.end())
+      const auto taken = std::ranges::find_if(
+          seen, [&](const std::string& other) { return are_one_name(other, name.text); });
+      if (taken != seen.end())
         problems.push_back({path, name.at.line, name.at.column, fmt::format("/{}/{}/name", list, i),
-                            fmt::format("the name '{}' is taken", name.text)});
+                            fmt::format("the name '{}' is taken", *taken)});
       seen.push_back(name.text);
     });
 }

@@ -5,24 +5,34 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "hil/campaign/statistics/by_orders.hpp"
 #include "hil/campaign/statistics/exact_moments.hpp"
 #include "hil/campaign/statistics/ranks.hpp"
 
 namespace drydock::campaign {
 namespace {
 
-double correlation_p_value(double rho, std::size_t n) {
-  const double freedom = static_cast<double>(n) - 2;
-  if (std::abs(rho) >= 1) return 0;
+double correlation_p_value(double rho, std::span<const double> rank_x,
+                           const std::vector<double>& rank_y) {
+  if (rank_x.size() <= most_ordered) return correlation_by_orders(rank_x, rank_y);
+  const double least = least_of_correlation(rank_x);
+  if (std::abs(rho) >= 1) return least;
+  const double freedom = static_cast<double>(rank_x.size()) - 2;
   const double t = std::abs(rho) * std::sqrt(freedom / (1 - rho * rho));
-  return 2 * cdf(complement(boost::math::students_t_distribution<>(freedom), t));
+  const boost::math::students_t_distribution<> student(freedom);
+  return std::max(least, 2 * cdf(complement(student, t)));
 }
 
 /// `within` 0: the levels explain everything.
-double effect_p_value(double between, double within, double levels, double n) {
-  if (within <= 0) return 0;
+double effect_p_value(double between, double within, const std::vector<ExactMoments>& groups,
+                      double n) {
+  std::vector<std::size_t> sizes;
+  for (const auto& group : groups) sizes.push_back(static_cast<std::size_t>(group.count()));
+  const double least = least_of_effect(sizes), levels = static_cast<double>(groups.size());
+  if (within <= 0) return least;
   const double f = (between / (levels - 1)) / (within / (n - levels));
-  return cdf(complement(boost::math::fisher_f_distribution<>(levels - 1, n - levels), f));
+  const boost::math::fisher_f_distribution<> fisher(levels - 1, n - levels);
+  return std::max(least, cdf(complement(fisher, f)));
 }
 
 }  // namespace
@@ -39,7 +49,7 @@ std::optional<RankCorrelation> rank_correlation(std::span<const double> x,
   }
   if (xx == 0 || yy == 0) return std::nullopt;
   const double rho = std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0);
-  return RankCorrelation{rho, correlation_p_value(rho, x.size())};
+  return RankCorrelation{rho, correlation_p_value(rho, rank_x, rank_y)};
 }
 
 std::optional<LevelEffect> level_effect(std::span<const std::size_t> level,
@@ -60,9 +70,11 @@ std::optional<LevelEffect> level_effect(std::span<const std::size_t> level,
   const double total = all.squared_distances();
   if (!(total > 0)) return std::nullopt;
   const double between = std::max(0.0, total - within);
-  return LevelEffect{between / total,
-                     effect_p_value(between, within, static_cast<double>(groups.size()),
-                                    static_cast<double>(values.size()))};
+  const double p =
+      values.size() <= most_ordered
+          ? effect_by_orders(level, {values.begin(), values.end()})
+          : effect_p_value(between, within, groups, static_cast<double>(values.size()));
+  return LevelEffect{between / total, p};
 }
 
 }  // namespace drydock::campaign

@@ -8,7 +8,8 @@
 namespace drydock::campaign {
 
 /// Spearman's rank correlation, and how likely a correlation this far from 0 is where there is
-/// none (two-sided, Student's t with n - 2 degrees of freedom).
+/// none: two-sided, by all orders of up to 8 values, else by Student's t with n - 2 degrees of
+/// freedom.
 struct RankCorrelation {
   double rho = 0, p_value = 1;
 };
@@ -18,7 +19,8 @@ std::optional<RankCorrelation> rank_correlation(std::span<const double> x,
                                                 std::span<const double> y);
 
 /// How much of the variance lies between the levels of a parameter (eta squared), and how likely
-/// this much is where the levels do not matter (Fisher's F, analysis of variance).
+/// this much is where the levels do not matter: by all orders of up to 8 values, else by Fisher's F
+/// (analysis of variance).
 struct LevelEffect {
   double share = 0, p_value = 1;
 };

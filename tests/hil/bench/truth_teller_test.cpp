@@ -71,6 +71,22 @@ TEST_F(Told, AtAHundredEstimatesASecondItIsThatOfEveryFourth) {
   EXPECT_EQ(ear_.at.size(), 100U);
 }
 
+TEST_F(Told, OfTwoEstimatorsNoneBringsAnOlderTruth) {
+  for (int i = 0; i < 400; ++i) {
+    estimate(start + milliseconds{50} * i);
+    if (i > 0) estimate(start + milliseconds{50} * i - milliseconds{49});
+  }
+  EXPECT_TRUE(std::ranges::is_sorted(ear_.at));
+  EXPECT_EQ(std::ranges::adjacent_find(ear_.at), ear_.at.end());
+  EXPECT_LE(ear_.widest(), milliseconds{60});
+}
+
+TEST_F(Told, AfterAClockThatWasSetBackItGoesOn) {
+  estimate(start + std::chrono::hours{1});
+  for (int i = 0; i < 100; ++i) estimate(start + milliseconds{50} * i);
+  EXPECT_EQ(ear_.at.size(), 101U);
+}
+
 TEST_F(Told, AStepOfTheClockIsNoSilence) {
   estimate(start);
   estimate(start + std::chrono::hours{1});

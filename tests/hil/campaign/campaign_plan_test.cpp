@@ -113,6 +113,8 @@ TEST(CampaignFile, SaysWhereAndWhatIsWrong) {
               HasSubstr("'uniform' is a second way to choose values"));
   EXPECT_THAT(problems(lists + "[[parameter]]\nname = \"a\"\nlist = [1]\n"),
               HasSubstr("the name 'a' is taken"));
+  EXPECT_THAT(problems(lists + "[[parameter]]\nname = \"Seed\"\nlist = [1]\n"),
+              HasSubstr("the name 'seed' is taken"));
   EXPECT_THAT(problems(lists + "[[parameter]]\nname = \"c\"\nuniform = [2.0, 1.0]\n"),
               HasSubstr("the upper bound is below the lower one"));
   EXPECT_THAT(problems(lists + "[[parameter]]\nname = \"c\"\nfrom = 1.0\n"),

@@ -128,6 +128,35 @@ TEST(CampaignSensitivity, VarianceBetweenLevelsIsThatOfThePublishedExample) {
   EXPECT_NEAR(found->p_value, 0.0024, 0.00005);
 }
 
+// Three values are in order, or in the opposite one, in 2 of 3! orders; four in 2 of 4!. Of 720
+// orders of six values 2 3! 3! keep two groups of three apart.
+TEST(CampaignSensitivity, OfFewRunsIsTheShareOfTheirOrders) {
+  const std::vector<double> three{1, 2, 3}, four{1, 2, 3, 4}, six{1, 2, 3, 11, 12, 13};
+  EXPECT_NEAR(rank_correlation(three, three)->p_value, 2.0 / 6, 1e-12);
+  EXPECT_NEAR(rank_correlation(four, four)->p_value, 2.0 / 24, 1e-12);
+  EXPECT_NEAR(level_effect(std::vector<std::size_t>{0, 0, 0, 1, 1, 1}, six)->p_value, 0.1, 1e-12);
+}
+
+// Counted over all 40320 orders with Python's itertools.
+TEST(CampaignSensitivity, OfEightRunsIsTheExactOneOfSpearman) {
+  const std::vector<double> x{1, 2, 3, 4, 5, 6, 7, 8}, y{4, 1, 2, 5, 3, 6, 8, 7};
+  const auto found = rank_correlation(x, y);
+  EXPECT_NEAR(found->rho, 1 - 6.0 * 18 / 504, 1e-12);
+  EXPECT_NEAR(found->p_value, 1126.0 / 40320, 1e-12);
+}
+
+TEST(CampaignSensitivity, OfMoreRunsIsNeverLessThanThatOfTheBestOrder) {
+  std::vector<double> ten(10), apart(10);
+  std::vector<std::size_t> level(10);
+  for (std::size_t i = 0; i < 10; ++i) {
+    ten[i] = static_cast<double>(i);
+    level[i] = i / 5;
+    apart[i] = i < 5 ? 1 : 2;
+  }
+  EXPECT_NEAR(rank_correlation(ten, ten)->p_value, 2.0 / 3628800, 1e-15);
+  EXPECT_NEAR(level_effect(level, apart)->p_value, 2.0 * 120 * 120 / 3628800, 1e-12);
+}
+
 TEST(CampaignSensitivity, SaysNothingWhereAFigureDoesNotVary) {
   const std::vector<double> same(6, 1.0), x{1, 2, 3, 4, 5, 6};
   const std::vector<std::size_t> level{0, 0, 0, 1, 1, 1};

@@ -73,11 +73,21 @@ class Odometry : public testing::Test {
 
   Estimates read(const std::vector<std::vector<std::uint8_t>>& messages,
                  const std::string& text = definition()) {
+    write(messages, text, {"/odom"});
+    auto estimates = read_odometry(path_, "");
+    EXPECT_TRUE(estimates) << estimates.error().line;
+    return *estimates;
+  }
+  void write(const std::vector<std::vector<std::uint8_t>>& messages, const std::string& text,
+             const std::vector<std::string>& topics) {
     mcap::Buffer file(mcap::magic.begin(), mcap::magic.end());
     mcap::encode(file, mcap::Header{"ros2", "rosbag2"});
     mcap::encode(file, mcap::Schema{1, "nav_msgs/msg/Odometry", "ros2msg", text});
-    mcap::encode(file, mcap::Channel{1, 1, "/odom", "cdr", {}});
-    for (const auto& message : messages) mcap::encode(file, mcap::Message{1, 1, 9, 9, message});
+    for (std::uint16_t channel = 1; channel <= topics.size(); ++channel) {
+      mcap::encode(file, mcap::Channel{channel, 1, topics[channel - 1U], "cdr", {}});
+      for (const auto& message : messages)
+        mcap::encode(file, mcap::Message{channel, 1, 9, 9, message});
+    }
     mcap::Encoder(file).record(mcap::Opcode::data_end,
                                [&] { mcap::Encoder(file).number(std::uint32_t{0}); });
     mcap::Encoder(file).record(mcap::Opcode::footer, [&] {
@@ -90,9 +100,6 @@ class Odometry : public testing::Test {
     std::ofstream(path_, std::ios::binary)
         .write(reinterpret_cast<const char*>(file.data()),
                static_cast<std::streamsize>(file.size()));
-    auto estimates = read_odometry(path_, "");
-    EXPECT_TRUE(estimates) << estimates.error().line;
-    return *estimates;
   }
   std::vector<std::string> notes_of(const Matrix3d& covariance) {
     const auto read_back = read({odometry(covariance)});
@@ -114,6 +121,18 @@ TEST_F(Odometry, OfRosbag2IsReadWithItsBareNames) {
   EXPECT_EQ(pose.position_ned, Eigen::Vector3d(2, 1, -3));
   ASSERT_TRUE(pose.covariance_m2);
   EXPECT_EQ(*pose.covariance_m2, (Matrix3d{{9, 1, -2}, {1, 4, 0}, {-2, 0, 16}}));
+}
+
+TEST_F(Odometry, OfTheTruthIsNoEstimateUnlessItIsAskedFor) {
+  const std::vector pose{odometry(Matrix3d::Identity())};
+  write(pose, definition(), {"/estimate/truth/odometry"});
+  EXPECT_EQ(read_odometry(path_, "").error().line,
+            path_ +
+                ": of nav_msgs/Odometry it has only the truth, /estimate/truth/odometry; give "
+                "--topic to score that");
+  EXPECT_TRUE(read_odometry(path_, "/estimate/truth/odometry"));
+  write(pose, definition(), {"/estimate/truth/odometry", "/odom"});
+  EXPECT_EQ(read_odometry(path_, "")->track.size(), 1U);
 }
 
 TEST_F(Odometry, WhatIsNotReadIsSaidWithItsReason) {

@@ -56,7 +56,9 @@ TEST(ScoreFile, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_EQ(tum("1 2 3\n"), "a.tum:1: not t x y z qx qy qz qw");
   EXPECT_EQ(tum("# c\n1 0 0 0 0 0 0 0\n"),
             "a.tum:2: the quaternion's length is 0, allowed: 0.99 to 1.01");
-  EXPECT_EQ(tum("1 nan 0 0 0 0 0 1\n"), "a.tum:1: not t x y z qx qy qz qw");
+  EXPECT_EQ(tum("1 nan 0 0 0 0 0 1\n"), "a.tum:1: a value of the pose is no number");
+  EXPECT_EQ(tum("inf 0 0 0 0 0 0 1\n"),
+            "a.tum:1: \"inf\" is no time in seconds (since 1970, or of the truth's clock)");
   EXPECT_EQ(tum("1 0 0 0 0 0 0 3.7\n"),
             "a.tum:1: the quaternion's length is 3.7, allowed: 0.99 to 1.01");
   EXPECT_EQ(tum("1 0 0 0 0 0 0 1 1\n"), "a.tum:1: not t x y z qx qy qz qw");
@@ -74,6 +76,10 @@ TEST(ScoreFile, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_THAT(csv("t_s,north_m\n"), testing::HasSubstr("a.csv:1: no columns latitude_deg"));
   EXPECT_EQ(csv("t_s,north_m,east_m,down_m\n1,2,3,4\n2,x,3,4\n"),
             "a.csv:3: a time or a position is no number");
+  EXPECT_EQ(csv("t_s,longitude_deg,latitude_deg,height_m\n1,33,129,0\n"),
+            "a.csv:2: latitude_deg = 129, allowed: -90 to 90");
+  EXPECT_EQ(csv("t_s,longitude_deg,latitude_deg,height_m\n1,500,33,0\n"),
+            "a.csv:2: longitude_deg = 500, allowed: -360 to 360");
 }
 
 std::int64_t ns_of(const std::optional<measurement::Stamp>& stamp) {
