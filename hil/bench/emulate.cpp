@@ -13,6 +13,7 @@
 #include "hil/bench/told_log.hpp"
 #include "hil/control/live_faults.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
+#include "hil/motion/ordered/takes_orders.hpp"
 #include "hil/steer/real_time/autopilot_server.hpp"
 #include "hil/steer/real_time/dds_steering.hpp"
 #include "hil/summary/truth_of_rig.hpp"
@@ -79,6 +80,8 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
     for (const auto& note : autopilot->session().notes()) fmt::print("{}\n", note);
   if (dds)
     for (const auto& note : dds->notes()) fmt::print("{}\n", note);
+  if (const auto* orders = motion::orders_of(*trajectory))
+    for (const auto& note : motion::notes_of(orders->counters())) fmt::print("{}\n", note);
   const auto counters = emulator.counters();
   fmt::print("{} messages written, {} late, {} lost to overloaded lines, {} write errors\n",
              counters.messages, counters.late, counters.lost, counters.write_errors);

@@ -15,6 +15,7 @@
 #include "hil/bench/told_log.hpp"
 #include "hil/control/live_faults.hpp"
 #include "hil/fault/schedule/chronicle.hpp"
+#include "hil/motion/ordered/takes_orders.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
 
 namespace drydock::bench {
@@ -91,6 +92,8 @@ class LockstepRun {
     s.devices = run_.devices(bench_.now());
     bench_.stop();
     s.notes = told_.notes();
+    if (const auto* orders = motion::orders_of(trajectory_))
+      std::ranges::move(motion::notes_of(orders->counters()), std::back_inserter(s.notes));
     run_.write(s);
     control::write(chronicle_, start_, s);
     return s;

@@ -29,6 +29,7 @@
 #include "hil/control/fault_services.hpp"
 #include "hil/control/live_faults.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
+#include "hil/motion/ordered/takes_orders.hpp"
 #include "hil/pilot/real_time/real_time_pilot.hpp"
 #include "hil/steer/real_time/autopilot_server.hpp"
 #include "hil/steer/real_time/dds_steering.hpp"
@@ -118,6 +119,8 @@ class RealTimeRun {
     if (autopilot_)
       std::ranges::move(autopilot_->session().notes(), std::back_inserter(summary_.notes));
     if (dds_) std::ranges::move(dds_->notes(), std::back_inserter(summary_.notes));
+    if (const auto* orders = motion::orders_of(*trajectory_))
+      std::ranges::move(motion::notes_of(orders->counters()), std::back_inserter(summary_.notes));
     note_losses();
     if (rig_.truth && !bus_truth_)
       summary_.notes.push_back("the truth is not published: a device of the rig is real");

@@ -11,6 +11,7 @@
 #include "estimators/vehicle/vehicle.hpp"
 #include "hil/check/check_dbc.hpp"
 #include "hil/check/check_rig.hpp"
+#include "hil/check/line_load.hpp"
 
 namespace drydock::check {
 
@@ -33,6 +34,12 @@ Problems problems_of(const std::string& file) {
   if (const auto mission = rig_config::load_mission(file)) return check_mission(*mission);
   if (const auto vehicle = rig_config::load_vehicle(file)) return check_vehicle(*vehicle, file);
   return {};
+}
+
+/// What is lost in a sound rig that starts.
+Problems warnings_of(const std::string& file) {
+  const auto rig = rig_config::load_rig(file, load_options());
+  return rig ? overloaded_lines(*rig) : Problems{};
 }
 
 }  // namespace
@@ -64,7 +71,11 @@ int check(const std::vector<std::string>& files, std::FILE* out) {
     const Problems problems = problems_of(file);
     for (const auto& problem : problems)
       fmt::print(out, "{}\n", text::printable(to_string(problem)));
-    if (problems.empty()) fmt::print(out, "{}: ok\n", text::printable(file));
+    if (problems.empty()) {
+      for (const auto& warning : warnings_of(file))
+        fmt::print(out, "{}\n", text::printable(to_string(warning)));
+      fmt::print(out, "{}: ok\n", text::printable(file));
+    }
     sound = sound && problems.empty();
   }
   return sound ? terminal::exit_success : terminal::exit_usage;

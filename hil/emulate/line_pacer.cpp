@@ -34,12 +34,11 @@ std::chrono::nanoseconds LinePacer::line_time(std::size_t bytes, unsigned baud) 
 void LinePacer::queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampled_at, Client to,
                       std::size_t sender) {
   if (message.empty()) return;
-  while (waiting_.size() > 1 && waiting_bytes_ + message.size() > bound_bytes_) {
-    const auto oldest = waiting_.begin() + 1;
-    waiting_bytes_ -= oldest->bytes.size();
-    spare_.push_back(std::move(oldest->bytes));
-    waiting_.erase(oldest);
+  const Sample sample{sampled_at, sender};
+  while (waiting_.size() > 1 && waiting_bytes_ + message.size() > bound_bytes_) drop_sample();
+  if (sampled_at && dropped_ == sample) {  // the rest of what was lost
     ++messages_lost_;
+    return;
   }
   std::vector<std::uint8_t> bytes;
   if (!spare_.empty()) {
@@ -50,6 +49,43 @@ void LinePacer::queue(wire::Bytes message, Stamp now, std::optional<Stamp> sampl
   if (waiting_.empty()) began_ = std::max(began_, now);
   waiting_bytes_ += bytes.size();
   waiting_.push_back({std::move(bytes), now, sampled_at, to, rate_.baud, sender});
+}
+
+std::size_t LinePacer::greediest_sender() const {
+  std::size_t sender = 0, most = 0;
+  for (const Message& one : waiting_) {
+    std::size_t bytes = 0;
+    for (const Message& message : waiting_)
+      if (message.sender == one.sender) bytes += message.bytes.size();
+    if (bytes > most) sender = one.sender, most = bytes;
+  }
+  return sender;
+}
+
+/// The oldest sample of which nothing has left yet, of the device that fills the line; if there is
+/// none, the oldest message.
+void LinePacer::drop_sample() {
+  const auto oldest = waiting_.begin() + 1;
+  const Sample leaving = sample_of(waiting_.front());
+  const std::size_t greediest = greediest_sender();
+  const auto untouched = std::find_if(oldest, waiting_.end(), [&](const Message& message) {
+    return message.sender == greediest && (!message.sampled_at || sample_of(message) != leaving);
+  });
+  const auto first = untouched != waiting_.end() ? untouched : oldest;
+  const Sample lost = sample_of(*first);
+  const bool whole = lost.sampled_at && lost != leaving;
+  auto kept = first;
+  for (auto message = first; message != waiting_.end(); ++message) {
+    if (message == first || (whole && sample_of(*message) == lost)) {
+      waiting_bytes_ -= message->bytes.size();
+      spare_.push_back(std::move(message->bytes));
+      ++messages_lost_;
+    } else {
+      *kept++ = std::move(*message);
+    }
+  }
+  waiting_.erase(kept, waiting_.end());
+  if (whole) dropped_ = lost;
 }
 
 void LinePacer::drop_all() {

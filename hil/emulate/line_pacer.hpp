@@ -26,8 +26,9 @@ struct Chunk {
 };
 
 /// A serial line's transmitter: messages one after another. It does no I/O
-/// and only says which bytes leave when. If a device sends more than the line carries, the oldest
-/// waiting message is lost and counted.
+/// and only says which bytes leave when. If a device sends more than the line carries, all messages
+/// of the oldest waiting sample are lost and counted (of several devices, of the one that fills
+/// it), or the oldest message that belongs to none.
 class LinePacer {
  public:
   /// A chunk lasts at most `longest_chunk`; duration::max() gives whole messages. `bound` limits
@@ -57,6 +58,16 @@ class LinePacer {
     std::size_t sender;
   };
 
+  /// What messages of one sample have in common.
+  struct Sample {
+    std::optional<Stamp> sampled_at;
+    std::size_t sender;
+    bool operator==(const Sample&) const = default;
+  };
+
+  static Sample sample_of(const Message& message) { return {message.sampled_at, message.sender}; }
+  void drop_sample();
+  std::size_t greediest_sender() const;
   std::chrono::nanoseconds line_time(std::size_t bytes, unsigned baud) const;
   std::chrono::nanoseconds longest_chunk_, bound_;
   std::size_t chunk_end() const;
@@ -71,6 +82,7 @@ class LinePacer {
   std::size_t sent_ = 0;  ///< bytes of the first message that have left
   Stamp began_{};         ///< when the first message began to leave
   std::uint64_t messages_lost_ = 0;
+  std::optional<Sample> dropped_;  ///< the last sample that was lost; what it still sends is too
 };
 
 }  // namespace drydock::emulate

@@ -21,7 +21,7 @@ drivers/shell              drivers/device drivers/link drivers/io drivers/captur
 drivers/bus                drivers/measurement
 drivers/live               drivers/bus drivers/io drivers/measurement
 drivers/recordings/mcap
-drivers/recordings/record  drivers/recordings/mcap drivers/bus drivers/shell drivers/wire drivers/measurement rig_config
+drivers/recordings/record  drivers/recordings/mcap drivers/bus drivers/shell drivers/capture/steady_times drivers/wire drivers/measurement rig_config
 drivers/recordings/export  drivers/recordings/record drivers/wire drivers/measurement
 drivers/recordings/slice   drivers/recordings/record drivers/recordings/mcap drivers/device drivers/wire drivers/measurement rig_config
 drivers/recordings/tasks   rig_config drivers/recordings/record drivers/recordings/mcap drivers/recordings/export drivers/recordings/slice drivers/text drivers/terminal
@@ -46,7 +46,7 @@ estimators/velocity        estimators/lanes estimators/navigation estimators/hyd
 estimators/pipeline        estimators/leveling estimators/mixing estimators/roll estimators/velocity estimators/navigation estimators/hydrodynamics estimators/frame drivers/measurement
 estimators/consistency     estimators/frame drivers/diagnosis drivers/measurement
 estimators/external        estimators/pipeline estimators/frame drivers/bus drivers/process drivers/text drivers/measurement rig_config/estimator/external
-estimators/setup           estimators/external estimators/pipeline drivers/bus estimators/vehicle estimators/frame drivers/measurement rig_config
+estimators/setup           estimators/external estimators/pipeline estimators/leveling drivers/bus estimators/vehicle estimators/frame drivers/measurement rig_config
 estimators/host            drivers/diagnosis estimators/consistency estimators/setup estimators/pipeline estimators/frame drivers/host drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 rig_config                 drivers/wire/protocols drivers/wire/hex drivers/wire/packed_content drivers/wire/described/description drivers/wire/described/frame_plan drivers/wire/dbc/database drivers/wire/dbc/reader drivers/wire/described/plan drivers/wire/described/targets drivers/wire/described/crc_line drivers/wire/described/read_back drivers/measurement/units drivers/measurement/kind drivers/measurement/sound_speed drivers/measurement/actuator_order
 hil/report
@@ -73,7 +73,7 @@ hil/summary                hil/pilot/loop_account drivers/bus/device drivers/dia
 hil/control/request        drivers/live drivers/terminal
 hil/control                hil/control/request hil/fault hil/summary drivers/host drivers/bus drivers/live drivers/link drivers/io drivers/terminal rig_config
 hil/bench                  hil/pilot hil/pilot/real_time drivers/diagnosis hil/control hil/summary hil/report hil/fault hil/emulate hil/emulate/real_time hil/steer hil/steer/real_time hil/motion estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/monitor drivers/bus drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/measurement rig_config
-hil/check                  hil/pilot hil/fault hil/motion hil/ocean estimators/setup estimators/pipeline estimators/vehicle estimators/hydrodynamics drivers/shell drivers/link drivers/text drivers/terminal drivers/wire/described/read_back drivers/wire/dbc/reader drivers/measurement rig_config
+hil/check                  hil/pilot hil/fault hil/emulate hil/motion hil/ocean estimators/setup estimators/pipeline estimators/vehicle estimators/hydrodynamics drivers/shell drivers/link drivers/text drivers/terminal drivers/wire/described/read_back drivers/wire/dbc/reader drivers/measurement rig_config
 hil/replay/reference       drivers/recordings/record drivers/bus drivers/text
 hil/replay                 drivers/diagnosis drivers/decode hil/report hil/replay/reference hil/bench hil/motion hil/summary hil/fault estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/device drivers/recordings/record drivers/text drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 hil/diff                   hil/replay hil/summary hil/report drivers/text drivers/terminal rig_config

@@ -26,6 +26,12 @@ std::optional<DriveState> state_of(std::uint16_t status_word);
 /// With the bits "voltage enabled" and "remote" that go with it.
 std::uint16_t status_word_of(DriveState state);
 
+/// Bits of the status word that are told in "operation enabled". Bit 11 holds in every mode; bits
+/// 10 and 12 have a meaning in each, here those of profile velocity and of cyclic synchronous
+/// position.
+inline constexpr std::uint16_t target_reached = 1u << 10, internal_limit_active = 1u << 11,
+                               speed_is_zero = 1u << 12, follows_target = 1u << 12;
+
 /// The state after a control word. Only the rise of bit 7 resets a fault, so the word before counts
 /// too.
 DriveState after(DriveState state, std::uint16_t control_word, std::uint16_t word_before);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <string_view>
 
 #include "drivers/wire/fields.hpp"
 #include "drivers/wire/nmea0183/nmea0183_sentence.hpp"
@@ -41,7 +42,10 @@ void SentenceWriter::number(const std::optional<double>& value, int decimals) {
     overflow_ = true;
     return;
   }
-  put({digits.data(), static_cast<std::size_t>(end - digits.data())});
+  std::string_view text(digits.data(), static_cast<std::size_t>(end - digits.data()));
+  const bool is_zero = text.find_first_of("123456789") == std::string_view::npos;
+  if (is_zero && text.starts_with('-')) text.remove_prefix(1);
+  put(text);
 }
 
 void SentenceWriter::integer(const std::optional<int>& value, int width) {

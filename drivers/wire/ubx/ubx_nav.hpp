@@ -36,7 +36,7 @@ struct NavPvt {
   NavPvt() {}                        // read in place, see message_list.hpp
   std::chrono::milliseconds itow{};  ///< GPS time of week
   std::optional<std::chrono::year_month_day> date;
-  /// UTC since midnight of `date`. The receiver rounds to seconds and adds a signed fraction, so
+  /// UTC since midnight of `date`. The receiver rounds to hundredths and adds a signed rest, so
   /// the value may be slightly negative.
   std::optional<std::chrono::nanoseconds> time_of_day;
   bool time_resolved = false;  ///< whole seconds are no longer ambiguous

@@ -6,12 +6,14 @@ namespace {
 
 using namespace ubx;
 
-/// Writes the nearest whole second and the rest as signed nanoseconds, as receivers do.
+/// The six fields are those of the time rounded to a hundredth of a second, and the rest is signed:
+/// nano lies from -5 000 000 to 994 999 999 (UBX-18010854, "UTC representation").
 void put_time(PayloadOut payload, const NavPvt& m) {
   using namespace std::chrono;
   auto date = m.date;
   const nanoseconds time = m.time_of_day.value_or(nanoseconds{0});
-  auto whole = std::chrono::round<std::chrono::seconds>(time);
+  using Hundredths = std::chrono::duration<std::int64_t, std::centi>;
+  auto whole = floor<std::chrono::seconds>(std::chrono::round<Hundredths>(time));
   const nanoseconds rest = time - whole;
   if (whole >= days{1} && date) {
     date = year_month_day{sys_days{*date} + days{1}};

@@ -1,3 +1,5 @@
+#include <cstdlib>
+
 #include "drivers/wire/canopen/cia402.hpp"
 
 #include "hil/emulate/can/canopen_device.hpp"
@@ -40,7 +42,20 @@ class Cia402Drive final : public CanopenDevice {
  private:
   void report(Stamp at, Wire& out) override {
     actual_ = cia402::increments_of(with_errors(trajectory().at(at), at));
-    out.send(encode(cia402::DriveStatus{node(), cia402::status_word_of(state_), actual_}));
+    out.send(encode(cia402::DriveStatus{node(), status_word(), actual_}));
+  }
+
+  /// With the bits of the mode, CiA 402-2.
+  std::uint16_t status_word() const {
+    constexpr std::int32_t window = cia402::increments_per_turn / 100;  // a second
+    std::uint16_t word = cia402::status_word_of(state_);
+    if (state_ != DriveState::operation_enabled || shown_mode_ != mode_) return word;
+    if (limited_) word |= cia402::internal_limit_active;
+    if (!turns()) return word | cia402::follows_target;
+    const std::int64_t off = std::int64_t{target_} - actual_;
+    if (std::abs(off) <= window) word |= cia402::target_reached;
+    if (std::abs(actual_) <= window) word |= cia402::speed_is_zero;
+    return word;
   }
 
   double with_errors(const motion::Truth& truth, Stamp at) {
@@ -66,7 +81,7 @@ class Cia402Drive final : public CanopenDevice {
     word_ = word;
     if (before == DriveState::fault && state_ != before) set_fault(0, 0, out);
     if (state_ == DriveState::operation_enabled && shown_mode_ == mode_) {
-      actuator_.order(target_ * cia402::radians_per_increment, now);
+      limited_ = !actuator_.order(target_ * cia402::radians_per_increment, now);
     } else if (before == DriveState::operation_enabled && state_ != before) {
       actuator_.stop(now);
     }
@@ -115,7 +130,7 @@ class Cia402Drive final : public CanopenDevice {
     switch (entry.index) {
       case cia402::consumer_heartbeat_index: return Object{1, 1};
       case cia402::control_word_index: return Object{word_, 2};
-      case cia402::status_word_index: return Object{cia402::status_word_of(state_), 2};
+      case cia402::status_word_index: return Object{status_word(), 2};
       case cia402::mode_index:
       case cia402::mode_shown_index: return Object{mode, 1};
       case cia402::encoder_index: return Object{2, 1};
@@ -165,6 +180,7 @@ class Cia402Drive final : public CanopenDevice {
   DriveState state_ = DriveState::switch_on_disabled;
   std::uint16_t word_ = 0;
   std::int32_t target_ = 0, actual_ = 0;
+  bool limited_ = false;       ///< the target is beyond what the actuator can do
   std::uint32_t watched_ = 0;  ///< object 1016h, 1: a node << 16 and its longest silence in ms
   std::optional<Stamp> master_heard_at_;
 };

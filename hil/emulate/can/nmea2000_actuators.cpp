@@ -64,7 +64,9 @@ class Nmea2000Actuators final : public J1939Device {
     const auto angle = ordered_angle(rudder);
     if (!angle) return;
     const bool steers = *rudder.instance == 0;  // its positive angle is to starboard on the wire
-    actuators_[*rudder.instance].order(steers ? -*angle : *angle, now);
+    auto& actuator = actuators_[*rudder.instance];
+    const double value = steers ? -*angle : *angle;
+    actuator.order(rudder.angle_order_rad ? value : actuator.within_limits(value), now);
   }
 
   /// Empty: the message is a report of another rudder. A direction without an angle is the whole

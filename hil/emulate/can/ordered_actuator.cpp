@@ -19,11 +19,21 @@ void OrderedActuator::give(double value, Stamp at) {
   if (vehicle_ != nullptr) vehicle_->give(number_, value, at);
 }
 
-void OrderedActuator::order(double value, Stamp at) {
+double OrderedActuator::within_limits(double value) const {
+  return vehicle_ != nullptr ? vehicle_->within_limits(number_, value) : value;
+}
+
+bool OrderedActuator::order(double value, Stamp at) {
   ordered_at_ = at;
-  if (condition_->stuck_at) return stop(*condition_->stuck_at);
-  const Trouble* late = condition_->under(FaultKind::delay);
-  give(value, late != nullptr ? at + measurement::from_seconds(late->amount) : at);
+  const bool can = within_limits(value) == value;
+  if (vehicle_ != nullptr) vehicle_->count(!can);
+  if (condition_->stuck_at) {
+    stop(*condition_->stuck_at);
+  } else {
+    const Trouble* late = condition_->under(FaultKind::delay);
+    give(value, late != nullptr ? at + measurement::from_seconds(late->amount) : at);
+  }
+  return can;
 }
 
 void OrderedActuator::rest(Stamp at) {

@@ -17,7 +17,9 @@ class OrderedActuator {
   OrderedActuator(const OrderedActuator&) = delete;
   OrderedActuator& operator=(const OrderedActuator&) = delete;
 
-  void order(double value, Stamp at);  ///< rad, rad/s
+  /// rad, rad/s. Returns whether the actuator can do that.
+  bool order(double value, Stamp at);
+  double within_limits(double value) const;  ///< the same value where nothing moves
   void rest(Stamp at);  ///< nobody steers any more: amidships, or no rate of rotation
   void stop(Stamp at);  ///< without force: a surface stays where it is, a shaft stops
 

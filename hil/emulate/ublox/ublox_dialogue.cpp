@@ -55,6 +55,9 @@ void UbloxDialogue::on_packet(const Packet& packet) {
 Verdict UbloxDialogue::handle(const Packet& packet) {
   constexpr unsigned configuration = 0x06;
   const bool configures = packet.class_and_id >> 8 == configuration;
+  if (configures && packet.class_and_id != ubx::cfg_valset &&
+      packet.class_and_id != ubx::cfg_valdel)
+    transaction_.cancel();
   const Row* row = row_of(packet.class_and_id);
   if (row && !(row->only_f9 && settings_.model() == Model::m8)) {
     const bool sets = configures && packet.payload.size() > 2;

@@ -7,6 +7,7 @@
 #include "drivers/wire/ubx/ubx_settings.hpp"
 #include "hil/emulate/ublox/ublox_owner.hpp"
 #include "hil/emulate/ublox/ublox_settings.hpp"
+#include "hil/emulate/ublox/ublox_transaction.hpp"
 
 namespace drydock::emulate::ublox {
 
@@ -64,6 +65,9 @@ class UbloxDialogue {
   Verdict on_valget(wire::Bytes payload);
   Verdict on_valset(wire::Bytes payload);
   Verdict on_valdel(wire::Bytes payload);
+  Verdict change(wire::Bytes payload, Transaction::Kind kind);
+  Verdict apply(const Transaction::Changes& changes, std::uint8_t layers);
+  Verdict refuse(std::string why);
 
   Verdict on_ver(wire::Bytes payload);  // ublox_status.cpp
 
@@ -77,6 +81,7 @@ class UbloxDialogue {
   void send(wire::Bytes frame);
 
   UbloxSettings& settings_;
+  Transaction transaction_;
   Owner& owner_;
   device::TimedFramer<wire::UbxNmea::max_frame> framer_;
   Wire* out_ = nullptr;  ///< valid during receive()

@@ -1,6 +1,7 @@
 #include "hil/emulate/ublox/ublox_messages.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "estimators/frame/geodetic.hpp"
 
@@ -13,6 +14,12 @@ bool has_fix(const GnssEpoch& epoch) { return epoch.fix.position.has_value(); }
 
 wire::UbxFixType type_of(const GnssEpoch& epoch) {
   return has_fix(epoch) ? wire::UbxFixType::three_d : wire::UbxFixType::none;
+}
+
+/// What the error of the speed across the way makes of the course.
+double course_accuracy_rad(double speed_accuracy_mps, double ground_speed_mps) {
+  if (speed_accuracy_mps >= std::numbers::pi * ground_speed_mps) return std::numbers::pi;
+  return speed_accuracy_mps / ground_speed_mps;
 }
 
 wire::Ecef to_array(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
@@ -62,6 +69,7 @@ wire::NavPvt nav_pvt(const GnssEpoch& epoch) {
   pvt.ground_speed_mps = std::hypot(v.x(), v.y());
   pvt.course_rad = course_rad(v);
   pvt.speed_accuracy_mps = fix.speed_accuracy_mps;
+  pvt.course_accuracy_rad = course_accuracy_rad(*fix.speed_accuracy_mps, *pvt.ground_speed_mps);
   pvt.position_dop = fix.position_dop;
   return pvt;
 }
@@ -139,6 +147,7 @@ wire::NavVelned nav_velned(const GnssEpoch& epoch) {
   m.ground_speed_mps = v.head<2>().norm();
   m.course_rad = course_rad(v);
   m.speed_accuracy_mps = epoch.fix.speed_accuracy_mps;
+  m.course_accuracy_rad = course_accuracy_rad(*m.speed_accuracy_mps, *m.ground_speed_mps);
   return m;
 }
 

@@ -54,8 +54,9 @@ void UbloxSettings::save(Saved where, std::size_t item, std::optional<std::uint6
 }
 
 std::uint64_t UbloxSettings::as_after_power(std::size_t item) const {
-  const auto backed = saved(Saved::battery_backed, item);
-  return backed ? *backed : saved(Saved::flash, item).value_or(delivered_[item]);
+  for (const Saved where : {Saved::battery_backed, Saved::flash})
+    if (const auto value = saved(where, item); value && allows(item, *value)) return *value;
+  return delivered_[item];
 }
 
 void UbloxSettings::restart() { load_groups(~0u); }

@@ -13,7 +13,8 @@ namespace drydock::emulate::ublox {
 enum class Saved : std::uint8_t { battery_backed, flash };
 
 /// The values of all items in their layers. Those in force are in RAM. After power or a reset RAM
-/// has the values as delivered, over them those in flash, over them the battery-backed ones.
+/// has the values as delivered, over them those in flash, over them the battery-backed ones; saved
+/// values are not checked until then, and those that are not allowed are passed over.
 class UbloxSettings {
  public:
   /// `rate_hz`: as the rig has the receiver; it counts as delivered. `memory` keeps the flash.

@@ -19,10 +19,12 @@ std::uint64_t value_at(wire::Bytes data, std::size_t size) {
   return value;
 }
 
-/// A key that stands for all items of its group.
-bool is_group(std::uint32_t key) { return (key & 0xFFFF) == 0xFFFF; }
-bool is_in_group(std::uint32_t key, std::uint32_t group) {
-  return key != 0 && (key >> 16 & 0xFF) == (group >> 16 & 0xFF);
+/// A key that stands for all items of its group, or of all groups.
+bool is_wildcard(std::uint32_t key) { return (key & 0xFFFF) == 0xFFFF; }
+bool is_meant(std::uint32_t key, std::uint32_t wildcard) {
+  constexpr std::uint32_t every_group = 0xFFF;
+  const std::uint32_t group = wildcard >> 16 & 0xFFF;
+  return key != 0 && (group == every_group || (key >> 16 & 0xFF) == (group & 0xFF));
 }
 
 std::optional<std::uint64_t> value_in(const UbloxSettings& settings, std::uint8_t layer,
@@ -36,19 +38,22 @@ std::optional<std::uint64_t> value_in(const UbloxSettings& settings, std::uint8_
   }
 }
 
-/// Calls `take(item, value)` for each pair of key and value. Returns the words that tell what is
-/// wrong with the first pair that is none, or that `take` refuses; empty: nothing.
-template <class Take>
-std::string each_value(wire::Bytes data, Take&& take) {
-  while (!data.empty()) {
+std::string unknown(std::uint32_t key) { return fmt::format("unknown key {:08X}h", key); }
+
+/// Reads pairs of key and value, or keys alone. Returns the words that tell what is wrong with the
+/// first that is none; empty: nothing.
+std::string read_changes(wire::Bytes data, Transaction::Kind kind, Transaction::Changes& changes) {
+  for (std::size_t count = 1; !data.empty(); ++count) {
+    if (count > most_in_one) return "more than 64 keys";
     if (data.size() < key_size) return "half a key";
     const auto key = load_le<std::uint32_t>(data, 0);
-    const std::size_t size = size_of_key(key);
+    const std::size_t size = kind == Transaction::Kind::set ? size_of_key(key) : 0;
     const auto item = item_of_key(key);
-    if (!item) return fmt::format("unknown key {:08X}h", key);
+    if (!item) return unknown(key);
     if (data.size() < key_size + size) return fmt::format("half a value of key {:08X}h", key);
-    const std::uint64_t value = value_at(data.subspan(key_size), size);
-    if (!take(*item, value)) return fmt::format("key {:08X}h cannot be {}", key, value);
+    auto& change = changes[*item];
+    change.reset();
+    if (kind == Transaction::Kind::set) change = value_at(data.subspan(key_size), size);
     data = data.subspan(key_size + size);
   }
   return {};
@@ -89,53 +94,74 @@ class ValueWriter {
 Verdict UbloxDialogue::on_valget(wire::Bytes payload) {
   if (payload.size() < head + key_size || payload.size() % key_size != 0 || payload[0] != 0)
     return Verdict::nak;
+  if (payload.size() > head + key_size * most_in_one) return refuse("more than 64 keys");
+  const std::uint8_t layer = payload[1];
   ValueWriter answer(payload, load_le<std::uint16_t>(payload, 2));
   for (std::size_t at = head; at < payload.size(); at += key_size) {
     const auto key = load_le<std::uint32_t>(payload, at);
-    const std::size_t before = is_group(key) ? 1 : item_of_key(key).has_value();
-    if (before == 0) return Verdict::nak;
+    if (!is_wildcard(key) && !item_of_key(key)) return refuse(unknown(key));
     for (std::size_t item = 0; item < item_count(); ++item) {
       const std::uint32_t its = facts_of(item).key;
-      if (is_group(key) ? !is_in_group(its, key) : its != key) continue;
-      if (const auto value = value_in(settings_, payload[1], item)) answer.add(its, *value);
+      if (is_wildcard(key) ? !is_meant(its, key) : its != key) continue;
+      if (const auto value = value_in(settings_, layer, item)) answer.add(its, *value);
     }
   }
-  if (!answer.any()) return Verdict::nak;
+  if (!answer.any())
+    return refuse(
+        fmt::format("key {:08X}h: nothing in layer {}", load_le<std::uint32_t>(payload, 4), layer));
   reply(ubx::cfg_valget, answer.payload());
   return Verdict::ack;
 }
 
-/// All or nothing. A transaction is carried out at once.
 Verdict UbloxDialogue::on_valset(wire::Bytes payload) {
-  constexpr std::uint8_t newest_version = 1, known_layers = 0b111;
-  if (payload.size() < head || payload[0] > newest_version) return Verdict::nak;
-  const std::uint8_t layers = payload[1];
-  if (layers == 0 || (layers & ~known_layers) != 0) return Verdict::nak;
-  const wire::Bytes data = payload.subspan(head);
-  std::size_t values = 0;
-  note_ = each_value(data, [&](std::size_t item, std::uint64_t value) {
-    ++values;
-    return settings_.allows(item, value);
-  });
-  if (note_.empty() && values > most_in_one) note_ = fmt::format("{} keys, at most 64", values);
-  if (!note_.empty()) return Verdict::nak;
-  each_value(data, [&](std::size_t item, std::uint64_t value) {
-    each_layer(layers, [&](Saved where) { settings_.save(where, item, value); });
-    return !(layers & 1u) || put(item, value);
-  });
-  note_ = fmt::format("{} values, {} baud, an epoch each {:.0f} ms{}", values, settings_[baud],
-                      settings_.period_s() * 1e3, layers >> 1 ? ", saved" : "");
-  return Verdict::ack;
+  return change(payload, Transaction::Kind::set);
 }
 
 Verdict UbloxDialogue::on_valdel(wire::Bytes payload) {
-  if (payload.size() < head + key_size || payload.size() % key_size != 0) return Verdict::nak;
-  for (std::size_t at = head; at < payload.size(); at += key_size)
-    if (!item_of_key(load_le<std::uint32_t>(payload, at))) return Verdict::nak;
-  for (std::size_t at = head; at < payload.size(); at += key_size)
-    each_layer(payload[1], [&](Saved where) {
-      settings_.save(where, *item_of_key(load_le<std::uint32_t>(payload, at)), std::nullopt);
-    });
+  return change(payload, Transaction::Kind::deletion);
+}
+
+Verdict UbloxDialogue::refuse(std::string why) {
+  transaction_.cancel();
+  note_ = std::move(why);
+  return Verdict::nak;
+}
+
+/// All or nothing. With version 1 nothing takes effect before the message that ends its
+/// transaction.
+Verdict UbloxDialogue::change(wire::Bytes payload, Transaction::Kind kind) {
+  constexpr std::uint8_t newest_version = 1;
+  constexpr unsigned set_layers = 0b111, deletion_layers = 0b110;
+  if (payload.size() < head || payload[0] > newest_version) return refuse("");
+  const std::uint8_t layers = payload[1];
+  const bool deletes = kind == Transaction::Kind::deletion;
+  const bool has_layer = (layers & (deletes ? deletion_layers : set_layers)) != 0;
+  if (!has_layer || (layers & ~set_layers) != 0)
+    return refuse(fmt::format("layers {:02X}h", layers));
+  const std::uint8_t action =
+      payload[0] == newest_version ? payload[2] : std::uint8_t{Transaction::alone};
+  if (!transaction_.takes(kind, action, layers))
+    return refuse(fmt::format("no transaction that goes on with action {}", action));
+  if (auto wrong = read_changes(payload.subspan(head), kind, transaction_.changes());
+      !wrong.empty())
+    return refuse(std::move(wrong));
+  if (transaction_.waits()) return Verdict::ack;
+  const Transaction::Changes changes = transaction_.end();
+  return apply(changes, layers);
+}
+
+/// Only values for RAM are checked.
+Verdict UbloxDialogue::apply(const Transaction::Changes& changes, std::uint8_t layers) {
+  const bool in_force = (layers & 1u) != 0;
+  for (const auto& [item, value] : changes)
+    if (in_force && value && !settings_.allows(item, *value))
+      return refuse(fmt::format("key {:08X}h cannot be {}", facts_of(item).key, *value));
+  for (const auto& change : changes) {
+    each_layer(layers, [&](Saved where) { settings_.save(where, change.first, change.second); });
+    if (in_force && change.second) put(change.first, *change.second);
+  }
+  note_ = fmt::format("{} values, {} baud, an epoch each {:.0f} ms{}", changes.size(),
+                      settings_[baud], settings_.period_s() * 1e3, layers >> 1 ? ", saved" : "");
   return Verdict::ack;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+
+#include "drivers/measurement/actuator_order.hpp"
 #include "hil/motion/ordered/order_log.hpp"
 #include "hil/motion/ordered/takes_orders.hpp"
 #include "hil/motion/vehicle/helm.hpp"
@@ -13,11 +16,13 @@ class OrderHelm final : public Helm, public OrderSink {
   OrderHelm(const rig_config::VehicleConfig& vehicle, double speed_mps, Stamp start);
 
   void give(int actuator, double value, Stamp at) override;
+  double within_limits(int actuator, double value) const override;
   Command command(std::int64_t step, const VehicleState& state,
                   AutopilotMemory& memory) const override;
 
  private:
   double advance_m_;
+  std::array<double, measurement::actuator_count> most_;
   OrderLog log_;
 };
 

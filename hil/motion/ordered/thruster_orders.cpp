@@ -16,6 +16,12 @@ void ThrusterOrders::give(int actuator, double radps, Stamp at) {
   log_.give(i, std::clamp(radps / limits_radps_.at(i), -1.0, 1.0), at);
 }
 
+double ThrusterOrders::within_limits(int actuator, double radps) const {
+  const double most =
+      limits_radps_.at(static_cast<std::size_t>(actuator - measurement::first_thruster_number));
+  return std::clamp(radps, -most, most);
+}
+
 std::span<const double> ThrusterOrders::outputs(std::int64_t step, Outputs& room) const {
   const std::span<double> told(room.data(), limits_radps_.size());
   log_.read(step, told);

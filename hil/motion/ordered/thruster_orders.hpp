@@ -20,6 +20,7 @@ class ThrusterOrders final : public OrderSink {
   ThrusterOrders(const rig_config::ThrusterVehicleConfig& vehicle, Stamp start);
 
   void give(int actuator, double radps, Stamp at) override;
+  double within_limits(int actuator, double radps) const override;
 
   /// Shares of the full command at a step of 10 ms; they are in `room`.
   std::span<const double> outputs(std::int64_t step, Outputs& room) const;

@@ -43,7 +43,7 @@ Command fins_alone(std::span<const double> outputs, const rig_config::VehicleCon
 FinVehicle::FinVehicle(const rig_config::MissionConfig& mission, Mixing mixing)
     : config_(mission.vehicle.value()),
       mixing_(mixing),
-      motion_(mission),
+      motion_(mission, Edges::closed),
       actuators_(config_, 0),
       state_(first_state(mission)) {}
 
@@ -61,8 +61,8 @@ void FinVehicle::step(std::span<const double> outputs, double dt) {
 Truth FinVehicle::truth() const {
   const auto control = actuators_.control();
   const VehicleRate rate = motion_.rate(state_, control, t_s_);
-  Truth truth =
-      truth_of(state_, rate, motion_.acceleration_ned(state_, rate, t_s_), motion_.ocean(), t_s_);
+  Truth truth = truth_of(state_, rate, acceleration_ned(state_, rate, motion_.ocean(), t_s_),
+                         motion_.ocean(), t_s_);
   truth.rudder_rad = control.delta_r;
   truth.stern_plane_rad = control.delta_s;
   truth.bow_plane_rad = control.delta_b;

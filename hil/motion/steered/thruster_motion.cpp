@@ -5,6 +5,7 @@
 
 #include "estimators/frame/earth.hpp"
 #include "hil/motion/steered/steered_vehicle.hpp"
+#include "hil/motion/vehicle/contact.hpp"
 #include "hil/motion/vehicle/keep_in_water.hpp"
 #include "hil/motion/vehicle/vehicle_truth.hpp"
 
@@ -61,6 +62,7 @@ VehicleRate ThrusterMotion::rate(const VehicleState& s, const hydrodynamics::Wre
   rate.attitude =
       (s.body_to_ned * Eigen::Quaterniond{0, omega.x(), omega.y(), omega.z()}).coeffs() / 2;
   rate.velocity = hull_.acceleration(s.velocity, body_to_ned, s.height_m, wrench);
+  add_contact(s, ocean_, t_s, rate);
   return rate;
 }
 
@@ -95,11 +97,7 @@ void ThrusterMotion::short_step(ThrusterState& state, std::span<const double> ou
 Truth ThrusterMotion::truth(const ThrusterState& state, double t_s) const {
   const VehicleState& s = state.vehicle;
   const VehicleRate now = rate(s, wrench(state.thrusters), t_s);
-  const Eigen::Vector3d v = s.velocity.head<3>(), omega = s.velocity.tail<3>();
-  const Eigen::Vector3d acceleration_ned =
-      s.body_to_ned * (now.velocity.head<3>() + omega.cross(v)) +
-      ocean_.current_rate_ned(-s.height_m, now.velocity_ned.z(), t_s);
-  Truth truth = truth_of(s, now, acceleration_ned, ocean_, t_s);
+  Truth truth = truth_of(s, now, acceleration_ned(s, now, ocean_, t_s), ocean_, t_s);
   if (shafts_known_)
     for (std::size_t i = 0; i < thrusters_.size(); ++i)
       truth.thruster_radps.push_back(thrusters_[i].shaft_radps(state.thrusters[i]));

@@ -4,7 +4,8 @@
 
 namespace drydock::motion {
 
-/// Stops a vehicle that would leave the water or sink into the bed.
+/// Puts a vehicle back that a step of the bed, as a raster may have it, buried all the same: what
+/// add_contact() holds stays within 0.1 m.
 void keep_in_water(VehicleState& state, const ocean::Ocean& ocean);
 
 }  // namespace drydock::motion

@@ -4,6 +4,7 @@
 
 #include "estimators/frame/earth.hpp"
 #include "estimators/vehicle/vehicle.hpp"
+#include "hil/motion/vehicle/contact.hpp"
 #include "hil/motion/vehicle/kinematic_hull.hpp"
 #include "rig_config/kinematic_vehicle.hpp"
 
@@ -43,8 +44,15 @@ struct VehicleMotion::Earth {
   }
 };
 
-VehicleMotion::VehicleMotion(const rig_config::MissionConfig& mission)
-    : ocean_(mission.ocean, {mission.latitude_rad, mission.longitude_rad, 0}) {
+Vector3d acceleration_ned(const VehicleState& s, const VehicleRate& rate, const ocean::Ocean& ocean,
+                          double t_s) {
+  const Vector3d through_water = s.velocity.head<3>(), omega = s.velocity.tail<3>();
+  return s.body_to_ned * (rate.velocity.head<3>() + omega.cross(through_water)) +
+         ocean.current_rate_ned(-s.height_m, rate.velocity_ned.z(), t_s);
+}
+
+VehicleMotion::VehicleMotion(const rig_config::MissionConfig& mission, Edges edges)
+    : ocean_(mission.ocean, {mission.latitude_rad, mission.longitude_rad, 0}), edges_(edges) {
   if (!rig_config::is_kinematic(mission.vehicle.value()))
     model_.emplace(vehicle::dimensional(*mission.vehicle));
 }
@@ -65,19 +73,13 @@ VehicleRate VehicleMotion::rate(const VehicleState& s, const hydrodynamics::Cont
   rate.attitude = (s.body_to_ned * Quaterniond{0, omega.x(), omega.y(), omega.z()}).coeffs() / 2;
   if (!model_) {
     rate.velocity = kinematic_acceleration(s.velocity, body_to_ned.transpose(), control);
-    return rate;
+  } else {
+    // Eq. (4) of the vehicle has 2 w_IE x V; here it must be (2 w_IE + w_EN) x V.
+    const Vector3d turning = earth.rate_ned + earth.transport_rate(rate.velocity_ned) / 2;
+    rate.velocity = model_->acceleration(s.velocity, body_to_ned.transpose(), control, turning);
   }
-  // Eq. (4) of the vehicle has 2 w_IE x V; here it must be (2 w_IE + w_EN) x V.
-  const Vector3d turning = earth.rate_ned + earth.transport_rate(rate.velocity_ned) / 2;
-  rate.velocity = model_->acceleration(s.velocity, body_to_ned.transpose(), control, turning);
+  if (edges_ == Edges::closed) add_contact(s, ocean_, t, rate);
   return rate;
-}
-
-Vector3d VehicleMotion::acceleration_ned(const VehicleState& s, const VehicleRate& rate,
-                                         double t) const {
-  const Vector3d through_water = s.velocity.head<3>(), omega = s.velocity.tail<3>();
-  return s.body_to_ned * (rate.velocity.head<3>() + omega.cross(through_water)) +
-         ocean_.current_rate_ned(-s.height_m, rate.velocity_ned.z(), t);
 }
 
 VehicleState VehicleMotion::step(const VehicleState& s, const VehicleRate& k1, Actuators& actuators,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <optional>
 
 #include "estimators/hydrodynamics/model.hpp"
@@ -26,19 +27,26 @@ struct VehicleRate {
   hydrodynamics::Velocity velocity;  ///< u v w p q r: eq. (4)
 };
 
+/// What a vehicle does at the surface and at the bed.
+enum class Edges : std::uint8_t {
+  open,   ///< nothing: its plan stays in the water
+  closed  ///< it cannot leave the water, sink into the bed, or leave its equations
+};
+
+/// dV^n/dt of eq. (5), from which an accelerometer's reading follows, m/s2. `t_s` counts from the
+/// mission's start.
+Eigen::Vector3d acceleration_ned(const VehicleState& state, const VehicleRate& rate,
+                                 const ocean::Ocean& ocean, double t_s);
+
 /// The equations of one vehicle in one sea.
 class VehicleMotion {
  public:
   /// `mission.vehicle` must be set. Throws std::invalid_argument, see hydrodynamics::Model and
   /// ocean::Ocean.
-  explicit VehicleMotion(const rig_config::MissionConfig& mission);
+  VehicleMotion(const rig_config::MissionConfig& mission, Edges edges);
 
   VehicleRate rate(const VehicleState& state, const hydrodynamics::Control& control,
                    double t) const;
-
-  /// dV^n/dt of eq. (5), from which an accelerometer's reading follows, m/s2.
-  Eigen::Vector3d acceleration_ned(const VehicleState& state, const VehicleRate& rate,
-                                   double t) const;
 
   /// The state h seconds after t by Runge-Kutta 4. `rate` is the rate at t. The actuators move on
   /// with a held command. The result is a smooth function of h up to the step of the truth.
@@ -55,6 +63,7 @@ class VehicleMotion {
 
   std::optional<hydrodynamics::Model> model_;  ///< empty: a kinematic vehicle
   ocean::Ocean ocean_;
+  Edges edges_;
 };
 
 }  // namespace drydock::motion

@@ -30,8 +30,8 @@ Truth truth_at(const Voyage& voyage, Stamp start, Stamp time) {
   }
   const auto control = actuators.control();
 
-  Truth truth =
-      truth_of(s, rate, voyage.motion().acceleration_ned(s, rate, t), voyage.motion().ocean(), t);
+  Truth truth = truth_of(s, rate, acceleration_ned(s, rate, voyage.motion().ocean(), t),
+                         voyage.motion().ocean(), t);
   truth.at = time;
   truth.rudder_rad = control.delta_r;
   truth.stern_plane_rad = control.delta_s;

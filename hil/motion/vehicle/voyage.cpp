@@ -12,7 +12,7 @@ double seconds_of(std::int64_t step) { return static_cast<double>(step * voyage_
 }  // namespace
 
 Voyage::Voyage(const rig_config::MissionConfig& mission, const Helm& helm, Edges edges)
-    : motion_(mission), helm_(helm), edges_(edges), steps_(first(mission)) {}
+    : motion_(mission, edges), helm_(helm), edges_(edges), steps_(first(mission)) {}
 
 VoyageStep Voyage::first(const rig_config::MissionConfig& mission) const {
   VoyageStep step{.state = {},

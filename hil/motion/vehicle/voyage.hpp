@@ -16,12 +16,6 @@ struct VoyageStep {
   Command command;
 };
 
-/// What a vehicle does at the surface and at the bed.
-enum class Edges : std::uint8_t {
-  open,   ///< nothing: its plan stays in the water
-  closed  ///< it cannot leave the water, sink into the bed, or leave its equations
-};
-
 /// The steps of a vehicle under a helm.
 class Voyage {
  public:

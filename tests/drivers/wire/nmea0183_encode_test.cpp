@@ -19,6 +19,14 @@ std::string encoded(const M& m, const Decimals&... decimals) {
 // The expected sentences are the public examples of fixtures/nmea0183. Their values are typed in
 // here.
 
+// A little below zero is no negative zero.
+TEST(Nmea0183Encoder, AZeroHasNoSign) {
+  Gga m;
+  m.mean_sea_level_height_m = -0.004;
+  m.geoid_separation_m = -0.6;
+  EXPECT_NE(encoded(m).find(",0.00,M,-0.60,M,"), std::string::npos) << encoded(m);
+}
+
 TEST(Nmea0183Encoder, Gga) {
   Gga m;
   m.time_of_day = 9h + 27min + 25s;

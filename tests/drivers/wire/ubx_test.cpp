@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "drivers/wire/bytes.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 
 namespace drydock::wire::testing {
@@ -115,8 +116,9 @@ TEST(Ubx, EndOfEpochNamesItsTimeOfWeek) {
 
 TEST(Ubx, EncodersRebuildTheGoldenFrames) {
   std::array<std::uint8_t, Ubx::max_frame> out;
-  // Three frames are missing here: the frame without a fix that has old digits (3), the old form
-  // (5), and the position marked as invalid (4). The decoder does not keep invalid values.
+  // Four frames are missing here: the one whose fraction of a second is more negative than
+  // receivers write it (1), the frame without a fix that has old digits (3), the old form (5), and
+  // the position marked as invalid (4). The decoder does not keep invalid values.
   const auto rebuilt = [&](std::size_t frame) {
     const auto message = *Ubx::decode(golden().frames.at(frame));
     std::size_t size = 0;
@@ -127,17 +129,26 @@ TEST(Ubx, EncodersRebuildTheGoldenFrames) {
         message);
     return Buffer(out.begin(), out.begin() + static_cast<long>(size));
   };
-  EXPECT_EQ(rebuilt(0), golden().frames[0]);
+  EXPECT_EQ(rebuilt(1), golden().frames[1]);
   EXPECT_EQ(rebuilt(6), golden().frames[6]);
   EXPECT_EQ(rebuilt(7), golden().frames[7]);
 }
 
-TEST(Ubx, AHalfSecondBelongsToTheNextWithANegativeRest) {
+// UBX-18010854: the six fields are rounded to a hundredth of a second, so nano lies from -5 000 000
+// to 994 999 999.
+TEST(Ubx, TheFieldsOfUtcAreRoundedToAHundredth) {
   NavPvt m = pvt(1);
   std::array<std::uint8_t, 100> out;
-  ASSERT_EQ(encode(m, out), out.size());
-  const auto again = std::get<NavPvt>(*Ubx::decode(out));
-  EXPECT_EQ(again.time_of_day, m.time_of_day);
+  const auto second_and_nano = [&](std::chrono::nanoseconds time) {
+    m.time_of_day = time;
+    EXPECT_EQ(encode(m, out), out.size());
+    EXPECT_EQ(std::get<NavPvt>(*Ubx::decode(out)).time_of_day, time);
+    return std::pair(int{out[6 + 10]}, wire::load_le<std::int32_t>(out, 6 + 16));
+  };
+  EXPECT_EQ(second_and_nano(12h + 600ms), std::pair(0, 600'000'000));
+  EXPECT_EQ(second_and_nano(12h + 994'999'999ns), std::pair(0, 994'999'999));
+  EXPECT_EQ(second_and_nano(12h + 995ms), std::pair(1, -5'000'000));
+  EXPECT_EQ(second_and_nano(12h + 1s - 1ns), std::pair(1, -1));
   m.time_of_day = 24h - 1ns;
   encode(m, out);
   EXPECT_EQ(out[6 + 6], 3) << "March";

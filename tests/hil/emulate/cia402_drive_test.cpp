@@ -32,16 +32,17 @@ struct Drive : Node {
   }
 };
 
-// CiA 402: 0006h, 0007h, 000Fh lead to "operation enabled", whose status word is 0237h. 1820 of
+// CiA 402: 0006h, 0007h, 000Fh lead to "operation enabled", whose status word is 0237h, with bit 12
+// in a cyclic mode, whose target it follows. 1820 of
 // 65536 increments are 10 degrees (71Ch).
 TEST(Cia402Drive, ADriveFollowsItsTargetInOperationAlone) {
   Drive drive;
   drive.run(1);
-  EXPECT_EQ(drive.last(0x181), "181#370200000000");
+  EXPECT_EQ(drive.last(0x181), "181#371200000000");
   drive.hear(Drive::order("0F", "1C070000"));
   EXPECT_NEAR(drive.at(2).stern_plane_rad, 2.5 * degree, 0.03 * degree);
   drive.run(9);
-  EXPECT_EQ(drive.last(0x181), "181#37021C070000");
+  EXPECT_EQ(drive.last(0x181), "181#37121C070000");
   drive.hear(Drive::order("06", "00000000"));  // shut down: it stays
   drive.run(12);
   EXPECT_EQ(drive.last(0x181), "181#31021C070000");
@@ -71,7 +72,7 @@ TEST(Cia402Drive, AThrusterTurnsAtItsTargetVelocityAndStopsWithoutItsMaster) {
   const motion::Truth turning = drive.at(2.4);
   EXPECT_NEAR(turning.thruster_radps.at(4), 60 * std::numbers::pi, 1e-4);
   EXPECT_NEAR(turning.thruster_radps.at(5), 0, 0);
-  EXPECT_EQ(drive.last(0x181), "181#370200001E00");
+  EXPECT_EQ(drive.last(0x181), "181#370600001E00");
   drive.run(3);
   EXPECT_EQ(drive.last(0x081), "081#3081110000000000");
   EXPECT_NEAR(drive.at(5).thruster_radps.at(4), 0, 1e-6);
@@ -85,6 +86,36 @@ TEST(Cia402Drive, ADriveOfAThrusterThatIsNotThereIsRefused) {
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().key, "instance");
   EXPECT_NE(made.error().message.find("no thruster 7, allowed: 0 to 3"), std::string::npos);
+}
+
+// CiA 402-2, profile velocity: bit 10 target reached, bit 12 speed is 0, in every mode bit 11
+// internal limit active.
+TEST(Cia402Drive, AShaftTellsWhetherItHasItsTargetAndWhetherItTurns) {
+  Drive drive(8);
+  const auto status = [&](double t) {
+    drive.run(t);
+    return drive.last(0x181).substr(4, 4);
+  };
+  EXPECT_EQ(status(0.8), "3716");
+  drive.hear(Drive::order("0F", "00001E00"));
+  EXPECT_EQ(status(0.9), "3702") << "the lag of the thruster is 0.1 s";
+  EXPECT_EQ(status(2), "3706");
+  drive.hear(Drive::order("0F", "00000A7F"));  // far beyond 60 turns a second
+  EXPECT_EQ(status(4), "370A");
+  drive.hear(Drive::order("0F", "00000000"));
+  EXPECT_EQ(status(6), "3716");
+  drive.hear(Drive::order("06", "00000000"));
+  EXPECT_EQ(status(7), "3102") << "only an enabled drive has a target";
+}
+
+TEST(Cia402Drive, APlaneTellsThatItsTargetIsBeyondItsStop) {
+  Drive drive;
+  drive.hear(Drive::order("0F", "1C070000"));  // 10 of 20 degrees
+  drive.run(1);
+  EXPECT_EQ(drive.last(0x181).substr(4, 4), "3712");
+  drive.hear(Drive::order("0F", "B80F0000"));  // 22.1 degrees
+  drive.run(2);
+  EXPECT_EQ(drive.last(0x181).substr(4, 4), "371A");
 }
 
 // CiA 301: object 1016h is node << 16 | ms; emergency 8130h is the loss of a heartbeat.

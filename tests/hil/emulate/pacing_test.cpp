@@ -2,6 +2,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <deque>
+#include <map>
 #include <numeric>
 
 #include "drivers/wire/can/can_bits.hpp"
@@ -89,6 +90,30 @@ TEST(LinePacer, ALineThatIsOverloadedLosesWholeOldMessagesAndCountsThem) {
   while (line.deadline()) firsts.push_back(line.take(*line.deadline())->bytes[0]);
   // The first message was on the line already. The seven latest follow.
   EXPECT_EQ(firsts, (std::vector<std::uint8_t>{0, 13, 14, 15, 16, 17, 18, 19}));
+}
+
+// 960 bytes a second carry 240 bytes every 250 ms; four sentences of 80 bytes are more. What comes
+// is whole, however long it goes on, and the line is full.
+TEST(LinePacer, AnOverloadedLineLosesWholeSamples) {
+  LinePacer line(9600, whole_messages);
+  std::map<std::int64_t, int> sentences;
+  std::int64_t last = 0;
+  const auto take_until = [&](Stamp now) {
+    while (const auto chunk = line.take(now)) {
+      last = chunk->of_message.sampled_at->time_since_epoch().count();
+      ++sentences[last];
+    }
+  };
+  for (int epoch = 0; epoch < 240; ++epoch) {
+    const Stamp at = at_ns(epoch * 250'000'000LL);
+    take_until(at);
+    for (int i = 0; i < 4; ++i) line.queue(message(80), at, at);
+  }
+  take_until(at_ns(60'000'000'000));
+  sentences.erase(last);  // it may still be leaving
+  for (const auto& [sampled_at, count] : sentences) EXPECT_EQ(count, 4) << sampled_at;
+  EXPECT_GE(sentences.size(), 60 * 960 / 320 - 2);
+  EXPECT_GT(line.messages_lost(), 4 * 50);
 }
 
 RC_GTEST_PROP(LinePacer, NeverSendsFasterThanTheBaudRateNorReordersNorMixes, ()) {

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+
+#include <set>
 
 #include "tests/hil/emulate/ublox_host.hpp"
 
@@ -77,6 +80,36 @@ TEST(EmulatedUblox, ThePartsOfAnEpochHoldTheTruthWithinTheirDigits) {
   EXPECT_NEAR(*ecef[2], 4'651'114.223, 0.02);
   EXPECT_EQ(host.all<wire::NavSol>().at(0).gps_week, 2288);
   EXPECT_EQ(host.all<wire::NavSvinfo>().at(0).satellites.size(), 10u);
+}
+
+// UBX-18010854: the six fields are rounded to a hundredth, nano lies from -5 000 000 to 994 999
+// 999.
+TEST(EmulatedUblox, TheFieldsOfUtcAreThoseOfTheSentencesOfTheEpoch) {
+  UbloxHost host(UbloxModel::f9, 10);
+  ASSERT_TRUE(host.acknowledges(wire::ubx::cfg_msg, {0xF0, 0x04, 1}));
+  host.listen(2);
+  std::set<int> fractions;
+  std::string rmc_time;
+  for (const auto& frame : host.heard) {
+    if (frame[0] == '$') rmc_time = std::string(frame.begin() + 7, frame.begin() + 16);
+    if (frame[0] == '$' || wire::ubx::packet_of(frame).class_and_id != 0x0107) continue;
+    const auto pvt = wire::ubx::packet_of(frame).payload;
+    const auto nano = wire::load_le<std::int32_t>(pvt, 16);
+    EXPECT_EQ(rmc_time,
+              fmt::format("{:02}{:02}{:02}.{:02}", pvt[8], pvt[9], pvt[10], nano / 10'000'000));
+    fractions.insert(nano / 100'000'000);
+  }
+  EXPECT_EQ(fractions.size(), 10u);
+}
+
+// sAcc / gSpeed in radians, at most 180 degrees.
+TEST(EmulatedUblox, TheAccuracyOfTheCourseIsThatOfTheSpeedAcrossTheWay) {
+  UbloxHost host(UbloxModel::m8);
+  host.listen(1.5);
+  const auto pvt = host.all<wire::NavPvt>().at(0);
+  ASSERT_TRUE(pvt.course_accuracy_rad);
+  EXPECT_NEAR(*pvt.course_accuracy_rad,
+              std::min(std::numbers::pi, *pvt.speed_accuracy_mps / *pvt.ground_speed_mps), 2e-7);
 }
 
 TEST(EmulatedUblox, APollOfAMessageIsAnsweredAtOnce) {

@@ -13,7 +13,7 @@
 namespace drydock::emulate {
 
 /// A host at the port of an emulated receiver, without a line between.
-class UbloxHost final : public Wire {
+class UbloxHost : public Wire {
  public:
   explicit UbloxHost(rig_config::UbloxModel model, double rate_hz = 1,
                      std::shared_ptr<Memory> memory = std::make_shared<Memory>())
