@@ -1,6 +1,7 @@
 #include "drivers/capture/frame_capture.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "drivers/capture/foreign_content.hpp"
 #include "drivers/wire/packed_content.hpp"
@@ -8,15 +9,23 @@
 
 namespace drydock::capture {
 
+std::string left_out_text(const Tally& tally) {
+  if (tally.left_out == 0) return {};
+  return std::to_string(tally.left_out) + " frames of more than " +
+         std::to_string(most_interfaces) + " interfaces left out";
+}
+
 std::string damage_text(const Tally& tally) {
-  if (tally.damaged == 0) return {};
+  const std::string left_out = left_out_text(tally);
+  if (tally.damaged == 0) return left_out;
   std::string text = std::to_string(tally.damaged);
   text +=
       tally.damaged == 1 ? " line or block not understood: " : " lines or blocks not understood: ";
   for (std::size_t i = 0; i < tally.where.size(); ++i) {
     text.append(i == 0 ? "" : ", ").append(std::to_string(tally.where[i]));
   }
-  return tally.damaged > tally.where.size() ? text + ", ..." : text;
+  if (tally.damaged > tally.where.size()) text += ", ...";
+  return left_out.empty() ? text : text + "; " + left_out;
 }
 
 std::string unknown_format_text(std::string_view file, const FrameCapture& capture) {
@@ -45,13 +54,7 @@ void FrameCapture::finish() { finished_ = true; }
 
 std::optional<Record> FrameCapture::next() {
   if (!know_format()) return std::nullopt;
-  if (more_in_unit_) {
-    if (auto record = reader_->more()) {
-      ++tally_.frames;
-      return record;
-    }
-    more_in_unit_ = false;
-  }
+  if (auto record = more_of_unit()) return record;
   while (at_ < buffer_.size()) {
     const Bytes bytes = rest();
     const Scan scan = reader_->scan(bytes, finished_);
@@ -73,8 +76,12 @@ std::optional<Record> FrameCapture::next() {
     if (reading.damaged) note_damage(reading.record ? 0 : scan.size);
     if (!reading.record) continue;
     more_in_unit_ = true;
-    ++tally_.frames;
-    return reading.record;
+    if (gives(*reading.record)) return reading.record;
+    if (auto record = more_of_unit()) return record;
+  }
+  if (finished_ && reader_->is_inside_block() && !std::exchange(cut_, true)) {
+    ++tally_.units;
+    note_damage(0);
   }
   return std::nullopt;
 }
@@ -104,6 +111,24 @@ bool FrameCapture::is_not_packed() {
   advice_ = wire::packed_content(wire::as_text(rest()));
   unknown_ = !advice_.empty();
   return !unknown_;
+}
+
+std::optional<Record> FrameCapture::more_of_unit() {
+  while (more_in_unit_) {
+    auto record = reader_->more();
+    more_in_unit_ = record.has_value();
+    if (record && gives(*record)) return record;
+  }
+  return std::nullopt;
+}
+
+bool FrameCapture::gives(const Record& record) {
+  if (!interfaces_.contains(record.interface)) {
+    if (interfaces_.size() == most_interfaces) return ++tally_.left_out, false;
+    interfaces_.emplace(record.interface);
+  }
+  ++tally_.frames;
+  return true;
 }
 
 void FrameCapture::note_damage(std::size_t bytes) {

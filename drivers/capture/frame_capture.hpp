@@ -2,6 +2,7 @@
 
 #include <boost/container/static_vector.hpp>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,13 +17,21 @@ struct Tally {
   std::uint64_t damaged = 0;        ///< units that were not understood, completely or in part
   std::uint64_t bytes_skipped = 0;  ///< inside damaged units
   boost::container::static_vector<std::uint64_t, 8> where;  ///< numbers of the first ones, from 1
+  std::uint64_t left_out = 0;  ///< frames of interfaces beyond most_interfaces; not in `frames`
 };
 
-/// "2 lines not understood: 4, 17". Empty if every unit was understood.
+/// Of each interface its readers keep a state. No logger has so many: a damaged file names them.
+constexpr std::size_t most_interfaces = 256;
+
+/// "2 lines not understood: 4, 17", and what was left out. Empty if every unit was understood and
+/// given.
 std::string damage_text(const Tally& tally);
+/// "744 frames of more than 256 interfaces left out". Empty if there were none.
+std::string left_out_text(const Tally& tally);
 
 /// Extracts the frames of a CAN capture that comes in blocks. The format is given or recognised by
-/// content. Sans-I/O. It keeps no more than the last block and one line.
+/// content. Sans-I/O. It keeps no more than the last block and one line. Frames of the first
+/// `most_interfaces` are given, the others are counted.
 class FrameCapture {
  public:
   /// A null `format`: recognised by content.
@@ -46,6 +55,8 @@ class FrameCapture {
   bool know_format();
   bool is_not_packed();
   void note_damage(std::size_t bytes);
+  std::optional<Record> more_of_unit();
+  bool gives(const Record& record);
 
   const Format* format_;
   std::unique_ptr<Reader> reader_;
@@ -58,6 +69,8 @@ class FrameCapture {
   std::size_t searched_ = 0;      ///< bytes of the head in which no format was recognised
   bool may_show_format_ = false;  ///< bytes came since the last attempt to recognise the format
   bool more_in_unit_ = false;
+  bool cut_ = false;  ///< the end inside of a block is noted
+  std::set<std::string, std::less<>> interfaces_;  ///< whose frames are given
   Tally tally_;
 };
 

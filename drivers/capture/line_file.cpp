@@ -49,6 +49,7 @@ bool LineFile::begin() {
 /// Looks at the whole file: if one line alone says something, it is that one.
 void LineFile::choose() {
   LineFile whole(file_, false, "*");
+  whole.end_when(ended_);
   while (whole.next()) continue;
   const auto lines = whole.lines();
   const auto speaks = [](const auto& line) { return line.bytes > 0; };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +28,10 @@ class LineFile {
   LineFile(const std::string& file, bool raw, std::string interface = {});
 
   /// As FileBlocks::end_when().
-  void end_when(std::function<bool()> ended) { blocks_.end_when(std::move(ended)); }
+  void end_when(std::function<bool()> ended) {
+    ended_ = std::move(ended);
+    blocks_.end_when(ended_);
+  }
 
   std::optional<Read> next();  ///< empty at the end or after an error
   bool likely_more(Bytes last) const { return packets_ || blocks_.likely_more(last); }
@@ -63,6 +67,7 @@ class LineFile {
   std::string file_, interface_;
   bool raw_, begun_ = false;
   FileBlocks blocks_;
+  std::function<bool()> ended_ = [] { return false; };
   ByteContent content_;
   std::optional<PacketLines> packets_;
   std::vector<std::uint8_t> buffer_;  ///< of a file of packets: blocks that are not read yet

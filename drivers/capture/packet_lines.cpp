@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace drydock::capture {
 
 bool PacketLines::recognises(Bytes head) {
@@ -30,9 +28,12 @@ std::optional<PacketLines::Piece> PacketLines::read(Bytes unit) {
 }
 
 std::size_t PacketLines::line_of(const std::string& name, bool serial) {
-  const auto found = std::ranges::find(lines_, name, &Line::name);
-  if (found == lines_.end()) return lines_.push_back({name, serial}), lines_.size() - 1;
-  return static_cast<std::size_t>(found - lines_.begin());
+  const auto [known, is_new] = places_.try_emplace(name, lines_.size());
+  if (is_new) {
+    lines_.push_back({name, serial});
+    talks_.emplace_back();
+  }
+  return known->second;
 }
 
 std::optional<PacketLines::Piece> PacketLines::piece(std::size_t line,
@@ -58,9 +59,10 @@ PacketLines::Conversation& PacketLines::conversation(const NetworkSegment& segme
   const auto [at, is_new] = conversations_.try_emplace({segment.sender, segment.receiver});
   if (is_new) {
     // A sender has a line for each receiver: two connections are two streams.
-    const bool known = std::ranges::find(lines_, segment.sender, &Line::name) != lines_.end();
+    const bool known = places_.contains(segment.sender);
     at->second.line =
         line_of(known ? segment.sender + "-" + segment.receiver : segment.sender, false);
+    talks_[at->second.line].push_back(&at->second.order);
   }
   return at->second;
 }
@@ -95,20 +97,29 @@ std::optional<PacketLines::Piece> PacketLines::read_network(const CapturedPacket
   return piece(talk.line, packet.time, talk.order.ready());
 }
 
-std::string PacketLines::damage(const std::string& line) const {
-  std::uint64_t lost = 0;
-  for (const auto& [ends, talk] : conversations_)
-    if (line == "*" || lines_[talk.line].name == line) lost += talk.order.lost_bytes();
-  const auto of_line = [&](const std::string& sender) {
-    return line == "*" || line.starts_with(sender + ":");
+/// What is missing of one line, or of all.
+PacketLines::Missing PacketLines::missing_of(const std::string& line) const {
+  Missing missing;
+  const auto add = [&](std::size_t place) {
+    for (const auto* order : talks_[place]) missing.bytes += order->lost_bytes();
+    missing.cut += lines_[place].cut;
   };
-  std::uint64_t fragments =
-      fragments_.left_over(line == "*" ? line : line.substr(0, line.find(':')));
-  for (const auto& [sender, count] : fragments_v6_)
-    if (of_line(sender)) fragments += count;
-  std::uint64_t cut = 0;
-  for (const auto& one : lines_)
-    if (line == "*" || line == one.name) cut += one.cut;
+  if (line == "*") {
+    for (std::size_t place = 0; place < lines_.size(); ++place) add(place);
+    missing.fragments = fragments_.left_over(line);
+    for (const auto& [sender, count] : fragments_v6_) missing.fragments += count;
+    return missing;
+  }
+  if (const auto known = places_.find(line); known != places_.end()) add(known->second);
+  const auto sender = line.substr(0, line.find(line.starts_with('[') ? "]:" : ":"));
+  missing.fragments = fragments_.left_over(sender);
+  const auto v6 = fragments_v6_.find(sender + "]");
+  if (v6 != fragments_v6_.end()) missing.fragments += v6->second;
+  return missing;
+}
+
+std::string PacketLines::damage(const std::string& line) const {
+  const auto [lost, cut, fragments] = missing_of(line);
   std::vector<std::string> parts;
   if (lost > 0) parts.push_back(fmt::format("{} bytes of TCP are not in the file", lost));
   if (cut > 0)
@@ -122,7 +133,9 @@ std::string PacketLines::damage(const std::string& line) const {
 }
 
 std::optional<PacketLines::Piece> PacketLines::finish() {
-  for (auto& [ends, talk] : conversations_) {
+  if (!ending_) ending_ = conversations_.begin();
+  for (; *ending_ != conversations_.end(); ++*ending_) {
+    auto& talk = (*ending_)->second;
     talk.order.finish();
     if (const auto rest = piece(talk.line, talk.time, talk.order.ready())) return rest;
   }

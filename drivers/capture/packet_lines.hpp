@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -34,6 +35,8 @@ class PacketLines {
   static bool recognises(Bytes head);
 
   explicit PacketLines(Bytes head);
+  PacketLines(const PacketLines&) = delete;  // talks_ points into it
+  PacketLines& operator=(const PacketLines&) = delete;
 
   Scan scan(Bytes bytes);
   /// Empty: the unit, a frame of scan(), adds nothing to a line now.
@@ -53,6 +56,14 @@ class PacketLines {
     StreamOrder order;
     std::optional<std::chrono::nanoseconds> time;
   };
+  using Conversations = std::map<std::pair<std::string, std::string>, Conversation>;  ///< by ends
+  /// What of a line is not in the file.
+  struct Missing {
+    std::uint64_t bytes = 0;      ///< of TCP streams
+    std::uint64_t cut = 0;        ///< packets that are cut short
+    std::uint64_t fragments = 0;  ///< of IP packets
+  };
+  Missing missing_of(const std::string& line) const;
   std::optional<Piece> read_serial(const CapturedPacket& packet);
   std::optional<Piece> read_network(const CapturedPacket& packet);
   std::optional<LinkPayload> whole_packet(const CapturedPacket& packet);
@@ -63,7 +74,10 @@ class PacketLines {
 
   std::variant<Pcap, Pcapng> file_;
   std::vector<Line> lines_;
-  std::map<std::pair<std::string, std::string>, Conversation> conversations_;
+  std::map<std::string, std::size_t> places_;  ///< of the lines, by name
+  Conversations conversations_;
+  std::vector<std::vector<const StreamOrder*>> talks_;  ///< by line: its conversations
+  std::optional<Conversations::iterator> ending_;       ///< the next whose gaps are passed over
   IpFragments fragments_;
   std::map<std::string, std::uint64_t> fragments_v6_;  ///< passed over, by the sender's address
   SteadyTimes times_;

@@ -41,6 +41,11 @@ std::chrono::nanoseconds SteadyTimes::of(std::string_view stream,
   return time;
 }
 
+std::chrono::nanoseconds SteadyTimes::beside(std::chrono::nanoseconds written) const {
+  const auto moved = written + moved_;
+  return std::chrono::abs(moved - latest_) < std::chrono::abs(written - latest_) ? moved : written;
+}
+
 std::string SteadyTimes::in_words() const {
   if (steps_ == 0) return {};
   const double most_s = std::chrono::duration<double>(most_).count();

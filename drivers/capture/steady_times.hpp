@@ -16,6 +16,10 @@ class SteadyTimes {
   /// which they came; those of two may change places by what a computer holds them.
   std::chrono::nanoseconds of(std::string_view stream, std::chrono::nanoseconds written);
 
+  /// Of a record that stands beside the streams and tells no order: on that side of the last step
+  /// where it is nearer to the latest time.
+  std::chrono::nanoseconds beside(std::chrono::nanoseconds written) const;
+
   std::uint64_t steps() const { return steps_; }  ///< how often the clock was set back
   /// Records whose time is written before that of an earlier one, and by how much at most.
   std::uint64_t behind() const { return behind_; }

@@ -24,6 +24,12 @@ std::string bus_of_device(const link::Uri& uri,
                           const std::function<std::uint64_t(const std::string&)>& count) {
   if (!uri.text_of("interface").empty()) return {};
   const auto names = interfaces_of(uri);
+  constexpr std::size_t most_tried = 16;  // each is read as a whole
+  if (names.size() > most_tried)
+    throw std::runtime_error(fmt::format(
+        "{} has {} buses or more: --interface chooses the one of the device (drydock info lists "
+        "them)",
+        uri.target, names.size()));
   std::vector<std::string> heard;
   if (names.size() > 1)
     for (const auto& name : names)

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "drivers/decode/records.hpp"
+#include "drivers/decode/signal_keys.hpp"
 #include "drivers/wire/dbc/catalogue.hpp"
 #include "drivers/wire/dbc/plan.hpp"
 #include "drivers/wire/dbc/reader.hpp"
@@ -21,10 +22,11 @@ constexpr std::size_t most_unknown_shown = 12;
 /// A message with its plan and the values of its last frame.
 struct Entry {
   explicit Entry(const dbc::Message& described)
-      : message(&described), plan(described), values(plan.size()) {}
+      : message(&described), plan(described), keys(keys_of(described)), values(plan.size()) {}
 
   const dbc::Message* message;
   dbc::Plan plan;
+  std::vector<SignalKeys> keys;
   std::vector<dbc::Value> values;
   std::uint64_t count = 0;
   std::uint64_t cut_short = 0;
@@ -121,28 +123,28 @@ class Messages {
         json.field("destination", id.destination);
       }
       for (std::size_t i = 0; i < e.values.size(); ++i)
-        put(json, e.message->signals[i], e.values[i]);
+        put(json, e.keys[i], e.message->signals[i], e.values[i]);
     });
   }
 
   /// A signal whose values have names has a second key for them.
-  static void put(text::JsonWriter& json, const dbc::Signal& signal, const dbc::Value& value) {
-    put_number(json, signal, value);
-    if (signal.labels.empty()) return;
+  static void put(text::JsonWriter& json, const SignalKeys& keys, const dbc::Signal& signal,
+                  const dbc::Value& value) {
+    put_number(json, keys.number, signal, value);
+    if (keys.label.empty()) return;
     const auto* label =
         value.present ? signal.label_of(static_cast<std::int64_t>(value.raw)) : nullptr;
-    json.field(signal.long_name + "_label",
-               label ? std::optional<std::string_view>(*label) : std::nullopt);
+    json.field(keys.label, label ? std::optional<std::string_view>(*label) : std::nullopt);
   }
 
-  static void put_number(text::JsonWriter& json, const dbc::Signal& signal,
+  static void put_number(text::JsonWriter& json, std::string_view key, const dbc::Signal& signal,
                          const dbc::Value& value) {
     using Number = std::optional<double>;
     const auto whole = value.present ? dbc::whole_value(value, signal.layout) : std::nullopt;
     if (whole)
-      std::visit([&](auto number) { json.field(signal.long_name, number); }, *whole);
+      std::visit([&](auto number) { json.field(key, number); }, *whole);
     else
-      json.field(signal.long_name, value.present ? Number(value.physical) : Number());
+      json.field(key, value.present ? Number(value.physical) : Number());
   }
 
   void print_unknown(std::FILE* err) const {

@@ -13,9 +13,11 @@ using measurement::Stamp;
 
 /// How a frame of a byte stream arrived.
 struct Arrival {
-  Stamp read_at;          ///< end of the read that brought the frame's last byte
-  std::size_t bytes = 0;  ///< of the frame
-  std::size_t after = 0;  ///< bytes of that read behind the frame
+  Stamp read_at;                    ///< end of the read that brought the frame's last byte
+  std::size_t bytes = 0;            ///< of the frame
+  std::size_t after = 0;            ///< bytes of that read behind the frame
+  Stamp not_before = Stamp::min();  ///< end of the frame before: what waited in a port, while the
+                                    ///< host stood still, comes faster than the line carries it
 };
 
 /// When the bytes of a stream arrived: one mark for each read whose bytes are still needed. A frame

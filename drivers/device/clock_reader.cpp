@@ -12,21 +12,48 @@ using std::chrono::nanoseconds;
 using namespace std::chrono_literals;
 
 constexpr nanoseconds place{10};  ///< of one byte or frame
-constexpr unsigned baud_of_places = 1'000'000'000;
+constexpr unsigned baud_of_places = 1'000'000'000, slow_places = 2;
 
-/// A byte takes one place, and so do the bits of a CAN frame at most.
-DriverOptions on_places(DriverOptions options) {
-  options.baud = options.bitrate = baud_of_places;
+/// A byte takes `places`, and so do the bits of a CAN frame at most.
+DriverOptions on_places(DriverOptions options, unsigned places = 1) {
+  options.baud = options.bitrate = baud_of_places / places;
   options.byte_frame = {};
   return options;
 }
 
-/// From the time of validity, which a device tells, until it sent the message. What its bytes take
-/// at their places is below the shortest.
-nanoseconds age_of(const measurement::Origin& origin) {
+/// How long ago a device took what it sends, and the bytes that the line carried since it began to.
+struct Age {
+  nanoseconds at_first_byte{};
+  std::uint64_t bytes = 0;
+};
+
+/// On a line of half the rate a message is older by what its bytes take once more.
+Age age_of_bytes(nanoseconds age, nanoseconds age_on_slow_line) {
+  const nanoseconds of_bytes = std::max(age_on_slow_line - age, 0ns);
+  return {std::max(age - of_bytes, 0ns), static_cast<std::uint64_t>(of_bytes / place)};
+}
+
+/// What frames take at their places is below the shortest.
+Age age_of_frames(nanoseconds age) {
   constexpr nanoseconds shortest = 100us;
-  const nanoseconds age = origin.received_at - origin.valid_at;
-  return age < shortest ? 0ns : age;
+  return {age < shortest ? 0ns : age, 0};
+}
+
+/// Not every message tells its age: such a one was sent behind the one before all the same.
+MessageTimes sent_times(const std::vector<PlacedOutput::Told>& told,
+                        const std::vector<PlacedOutput::Told>& told_on_slow_line) {
+  const bool bytes = told.size() == told_on_slow_line.size();
+  MessageTimes times;
+  nanoseconds clock{};  // that the last of them told
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    const Age age =
+        bytes ? age_of_bytes(told[i].age, told_on_slow_line[i].age) : age_of_frames(told[i].age);
+    nanoseconds sent_at = told[i].clock + age.at_first_byte;
+    if (i > 0 && told[i].clock >= clock) sent_at = std::max(sent_at, times.back().at);
+    clock = told[i].clock;
+    times.push_back({told[i].through, sent_at, age.bytes});
+  }
+  return times;
 }
 
 /// A clock that counts within a day or a week begins anew with a small step.
@@ -74,7 +101,7 @@ RecordedTimes times_in_order(const MessageTimes& told) {
     if (jumps) step = usual;
     const nanoseconds forward = std::max(0ns, step - ahead);
     ahead += forward - step;
-    times.messages.push_back({told[i].through, times.messages.back().at + forward});
+    times.messages.push_back({told[i].through, times.messages.back().at + forward, told[i].bytes});
   }
   // A number that falls as often as it rises is no time.
   constexpr std::size_t fewest_steps_a_jump = 10;
@@ -87,39 +114,44 @@ boost::system::result<ClockReader, DriverError> ClockReader::make(DriverOptions 
   if (travels == Travels::as_frames) {
     auto driver = make_frame_driver(on_places(std::move(options)));
     if (!driver) return driver.error();
-    return ClockReader(AnyDriver(std::move(*driver)));
+    return ClockReader(AnyDriver(std::move(*driver)), nullptr);
   }
+  auto slow = make_byte_driver(on_places(options, slow_places));
   auto driver = make_byte_driver(on_places(std::move(options)));
   if (!driver) return driver.error();
-  return ClockReader(AnyDriver(std::move(*driver)));
+  return ClockReader(AnyDriver(std::move(*driver)), std::move(*slow));
 }
+
+ClockReader::ClockReader(AnyDriver driver, std::unique_ptr<ByteDriver> slow)
+    : driver_(std::move(driver)),
+      slow_(std::move(slow)),
+      output_(place),
+      slow_output_(place * slow_places) {}
 
 void ClockReader::feed(wire::Bytes bytes) {
   now_ += place * static_cast<std::int64_t>(bytes.size());
-  std::get<std::unique_ptr<ByteDriver>>(driver_)->receive(bytes, now_, *this);
+  std::get<std::unique_ptr<ByteDriver>>(driver_)->receive(bytes, now_, output_);
+  slow_->receive(bytes, Stamp{now_.time_since_epoch() * slow_places}, slow_output_);
 }
 
 void ClockReader::feed(const wire::CanFrame& frame) {
   now_ += place;
-  std::get<std::unique_ptr<FrameDriver>>(driver_)->receive(frame, now_, *this);
+  std::get<std::unique_ptr<FrameDriver>>(driver_)->receive(frame, now_, output_);
 }
 
 RecordedTimes ClockReader::finish() {
-  std::visit([this](auto& driver) { driver->finish(*this); }, driver_);
-  return times_in_order(told_);
+  std::visit([this](auto& driver) { driver->finish(output_); }, driver_);
+  if (slow_) slow_->finish(slow_output_);
+  return times_in_order(sent_times(output_.told(), slow_output_.told()));
 }
 
-void ClockReader::publish(const Measurement& measurement) {
+void PlacedOutput::publish(const Measurement& measurement) {
   const measurement::Origin& origin = measurement::origin_of(measurement);
-  const auto through = static_cast<std::uint64_t>(origin.received_at.time_since_epoch() / place);
+  const auto through = static_cast<std::uint64_t>(origin.received_at.time_since_epoch() / place_);
   if (places_.empty() || through > places_.back()) places_.push_back(through);
   if (!origin.device_time) return;
   if (!told_.empty() && through <= told_.back().through) return;
-  nanoseconds sent_at = *origin.device_time + age_of(origin);
-  // Not every message tells its age: such a one was sent behind the one before all the same.
-  if (!told_.empty() && *origin.device_time >= clock_) sent_at = std::max(sent_at, told_.back().at);
-  clock_ = *origin.device_time;
-  told_.push_back({through, sent_at});
+  told_.push_back({through, *origin.device_time, origin.received_at - origin.valid_at});
 }
 
 }  // namespace drydock::device

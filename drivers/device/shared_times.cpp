@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace drydock::device {
 namespace {
@@ -51,9 +52,12 @@ MessageTimes times_at(const MessageTimes& clock, const std::vector<Places>& devi
     const auto said = busiest(devices, before.through, message.through);
     if (said.size() > most_in_a_burst) {
       const auto count = static_cast<std::int64_t>(said.size());
-      for (std::int64_t i = 1; i < count; ++i)
-        times.push_back({said[static_cast<std::size_t>(i - 1)],
-                         before.at + (message.at - before.at) * i / count});
+      std::uint64_t end_before = before.through;
+      for (std::int64_t i = 1; i < count; ++i) {
+        const auto through = said[static_cast<std::size_t>(i - 1)];
+        times.push_back({through, before.at + (message.at - before.at) * i / count,
+                         through - std::exchange(end_before, through)});
+      }
     }
     times.push_back(message);
     before = message;

@@ -62,6 +62,7 @@ class TimedFramer {
   void reset() {
     framer_.reset();
     forget_used();
+    last_end_ = Stamp::min();
   }
 
   void set_baud(unsigned baud) { rate_.baud = baud; }
@@ -74,6 +75,9 @@ class TimedFramer {
     return [this, &on_frame](wire::Bytes frame, std::size_t after) {
       Arrival arrival = marks_.of(fed_ - after);
       arrival.bytes = frame.size();
+      if (last_end_ > arrival.read_at) last_end_ = Stamp::min();  // the host's clock was set back
+      arrival.not_before = last_end_;
+      last_end_ = std::max(arrival.read_at - rate_.time_of(arrival.after), last_end_);
       on_frame(frame, arrival);
     };
   }
@@ -96,6 +100,7 @@ class TimedFramer {
   wire::Framer<Capacity> framer_;
   std::uint64_t fed_ = 0;  ///< bytes since it was made
   ArrivalMarks marks_;
+  Stamp last_end_ = Stamp::min();  ///< of the frame that came out last
   std::optional<Stamp> look_at_;
 };
 

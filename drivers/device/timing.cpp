@@ -1,5 +1,7 @@
 #include "drivers/device/timing.hpp"
 
+#include <algorithm>
+
 #include "drivers/wire/can/can_bits.hpp"
 
 namespace drydock::device {
@@ -26,7 +28,7 @@ Timing::Timing(const DriverOptions& options)
 std::chrono::nanoseconds Timing::line_time(std::size_t bytes) const { return rate_.time_of(bytes); }
 
 Origin Timing::of_bytes(const Arrival& frame, std::chrono::nanoseconds latency) const {
-  const Stamp received_at = frame.read_at - line_time(frame.after);
+  const Stamp received_at = std::max(frame.read_at - line_time(frame.after), frame.not_before);
   return origin(received_at - line_time(frame.bytes) - latency, received_at);
 }
 

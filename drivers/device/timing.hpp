@@ -19,7 +19,8 @@ class Timing {
   explicit Timing(const DriverOptions& options);
 
   /// If the line has a baud rate, a byte takes the bits of its frame (10 for 8N1): received_at =
-  /// read_at - after bytes, valid_at = received_at - bytes of the frame - latency.
+  /// read_at - after bytes, and not before the frame in front of it; valid_at = received_at - bytes
+  /// of the frame - latency.
   Origin of_bytes(const Arrival& frame) const { return of_bytes(frame, latency_); }
   /// If the frame gives the age of its values, `latency` replaces the option.
   Origin of_bytes(const Arrival& frame, std::chrono::nanoseconds latency) const;

@@ -1,5 +1,7 @@
 #include "drivers/host/driver_host.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "drivers/host/rig_bus.hpp"
@@ -8,7 +10,7 @@
 namespace drydock::host {
 
 namespace {
-constexpr std::chrono::seconds health_period{1};
+constexpr std::chrono::seconds health_period{1}, longest_lag{1};
 }
 
 DriverHost::DriverHost(boost::asio::io_context& io,
@@ -44,9 +46,19 @@ void DriverHost::schedule_health() {
   health_timer_.async_wait([this](const boost::system::error_code& ec) {
     if (ec || stopped_) return;
     tell_health();
+    note_stall();
     health_timer_.expires_at(health_timer_.expiry() + health_period);
     schedule_health();
   });
+}
+
+/// Bytes and frames that waited in the system meanwhile have the times at which they were read.
+void DriverHost::note_stall() {
+  const auto lag = std::chrono::steady_clock::now() - health_timer_.expiry();
+  if (lag < longest_lag) return;
+  fmt::print(stderr, "this program stood still for {:.1f} s: what came meanwhile has late times\n",
+             std::chrono::duration<double>(lag).count());
+  health_timer_.expires_at(std::chrono::steady_clock::now());
 }
 
 void DriverHost::tell_health() {

@@ -35,6 +35,7 @@ class DriverHost final : private device::Listener {
     if (!stopped_) follower_.on_state(device, change);
   }
   void tell_health();
+  void note_stall();
   void schedule_health();
 
   Follower& follower_;

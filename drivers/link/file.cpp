@@ -25,6 +25,7 @@ class FileLink final : public ByteLink {
       : executor_(executor),
         file_(uri.target, uri.text_of("format") == "raw", std::string(uri.text_of("interface"))),
         bytes_per_second_(bytes_per_second),
+        rate_(uri.line_rate().value_or(wire::LineRate{})),
         speed_(uri.speed().value_or(1)),
         messages_(std::move(messages)),
         pace_(executor) {}
@@ -50,9 +51,12 @@ class FileLink final : public ByteLink {
   SteadyClock::time_point due(std::size_t bytes) const {
     return after(std::chrono::duration<double>(static_cast<double>(bytes) / bytes_per_second_));
   }
-  /// The time at which the device sent the message that comes next.
+  /// The time at which the line brought the end of the message that comes next.
   SteadyClock::time_point due_message() const {
-    return after((messages_[message_].at - messages_.front().at) / speed_);
+    const auto& message = messages_[message_];
+    return after((message.at - messages_.front().at +
+                  rate_.time_of(static_cast<std::size_t>(message.bytes))) /
+                 speed_);
   }
   template <class Duration>
   SteadyClock::time_point after(Duration duration) const {
@@ -63,7 +67,9 @@ class FileLink final : public ByteLink {
 
   asio::any_io_executor executor_;
   capture::ByteFile file_;
-  double bytes_per_second_, speed_;
+  double bytes_per_second_;
+  wire::LineRate rate_;  ///< as the URI tells it
+  double speed_;
   measurement::MessageTimes messages_;
   std::size_t message_ = 0;
   asio::steady_timer pace_;

@@ -10,6 +10,7 @@ namespace drydock::measurement {
 struct MessageTime {
   std::uint64_t through = 0;      ///< bytes of the recording up to its end; on a CAN bus frames
   std::chrono::nanoseconds at{};  ///< on the device's clock
+  std::uint64_t bytes = 0;        ///< the last of `through` that the line carried from `at` on
 };
 
 /// In the order of the recording: `through` rises, `at` never falls.

@@ -10,6 +10,7 @@
 #include "drivers/link/clock.hpp"
 #include "drivers/probe/hearing.hpp"
 #include "drivers/survey/position_talkers.hpp"
+#include "drivers/terminal/progress_bar.hpp"
 #include "drivers/terminal/terminal_screen.hpp"
 #include "drivers/wire/ubx/ubx_frame.hpp"
 #include "rig_config/device_description/load_description.hpp"
@@ -182,13 +183,13 @@ std::vector<Setting> settings_of(const std::string& uri, std::string_view pariti
 Progress::Progress(std::FILE* err) : err_(err), terminal_(terminal::erases_lines(::fileno(err))) {}
 
 Progress::~Progress() {
-  if (shown_ > 0) fmt::print(err_, "\r\033[K");
+  if (shown_ > 0) fmt::print(err_, "{}", terminal::wipe_line);
   std::fflush(err_);
 }
 
 void Progress::show(const std::string& text) {
   if (!terminal_) return;
-  fmt::print(err_, "\r\033[K{}", text);
+  fmt::print(err_, "{}{}", terminal::wipe_line, text);
   std::fflush(err_);
   ++shown_;
 }

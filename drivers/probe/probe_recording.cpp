@@ -62,7 +62,8 @@ bool read_frames(const link::Uri& uri, const survey::BusSurvey::Descriptions& de
   while (const auto record = file.next()) buses.take(*record, timed, descriptions);
   if (!file.trouble().empty() || buses.surveys.empty()) return false;
   if (buses.first) report.listened_s = measurement::seconds(*buses.last - *buses.first);
-  for (auto note : {std::string(file.frames().note()), file.times().in_words()})
+  for (auto note : {std::string(file.frames().note()), file.times().in_words(),
+                    capture::left_out_text(file.frames().tally())})
     if (!note.empty()) report.recording.push_back(std::move(note));
   if (buses.surveys.size() == 1)
     note_bus(buses.surveys.begin()->second, uri.text, report);

@@ -42,7 +42,8 @@ std::vector<const survey::ByteFinding*> used_findings(const LineAttempt& attempt
 }
 
 void print_attempt(const LineAttempt& attempt, bool in_full, std::FILE* out) {
-  const std::string setting = attempt.setting.empty() ? "the line" : attempt.setting;
+  const std::string setting =
+      attempt.setting.empty() ? "the line" : text::printable(attempt.setting);
   if (attempt.findings.empty()) {
     fmt::print(out, "  {}: {} bytes, no frame of any protocol\n", setting, attempt.bytes);
     return;
@@ -119,7 +120,7 @@ void print_bus(const ProbeReport& report, std::FILE* out) {
 void print_buses(const ProbeReport& report, std::FILE* out) {
   for (const auto& c : report.complaints) fmt::print(out, "  {} x {}\n", c.frames, c.text);
   for (const auto& bus : report.buses) {
-    fmt::print(out, "  {}: {} frames{}\n", bus.bus, bus.frames,
+    fmt::print(out, "  {}: {} frames{}\n", text::printable(bus.bus), bus.frames,
                bus.bits_per_second ? fmt::format(", {:.1f} kbit/s", *bus.bits_per_second / 1000)
                                    : std::string());
     for (const auto& node : report.nodes)
@@ -182,10 +183,10 @@ void print_text(const ProbeReport& report, std::FILE* out) {
   for (std::size_t i = 0; i < report.attempts.size(); ++i)
     print_attempt(report.attempts[i], counts(report, i), out);
   report.buses.empty() ? print_bus(report, out) : print_buses(report, out);
-  if (!report.shared_with.empty()) fmt::print(out, "  {}\n", shared_text(report));
-  for (const auto& note : all_notes(report)) fmt::print(out, "  {}\n", note);
+  if (!report.shared_with.empty()) fmt::print(out, "  {}\n", text::printable(shared_text(report)));
+  for (const auto& note : all_notes(report)) fmt::print(out, "  {}\n", text::printable(note));
   if (!report.devices.empty()) fmt::print(out, "\n# for a rig file:\n");
-  for (const auto& device : report.devices) fmt::print(out, "\n{}", survey::rig_block(device));
+  for (const auto& device : report.devices) fmt::print(out, "\n{}", text::printable_lines(survey::rig_block(device)));
 }
 
 }  // namespace drydock::probe

@@ -105,8 +105,9 @@ std::size_t RecordedLine::next_bytes() const {
 void RecordedLine::schedule(Stamp now) {
   const auto& messages = clock_.times.messages;
   if (message_ < messages.size()) {
-    const auto since_first = messages[message_].at - messages.front().at;
-    next_ = std::max(now, start_ + since_first + rate_.time_of(next_bytes()));
+    const auto& message = messages[message_];
+    next_ = std::max(now, start_ + (message.at - messages.front().at) +
+                              rate_.time_of(static_cast<std::size_t>(message.bytes)));
     return;
   }
   next_ = now;  // what is behind the last message that tells a time comes at once

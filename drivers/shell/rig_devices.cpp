@@ -104,6 +104,10 @@ device::LifeCycleOptions life_cycle_options(const DeviceConfig& config, const li
     options.quiet_but_up = " in the recording";
   } else if (uri.carries() == link::Carries::frames) {
     options.reopen_when_quiet = false;
+    // Whether an adapter is open, its silence does not tell.
+    if (uri.scheme == link::Scheme::slcan)
+      options.quiet_but_up = "; its channel is opened again in case the adapter was reset";
+    if (uri.scheme == link::Scheme::gateway) options.quiet_but_up = " from the gateway";
   }
   return options;
 }

@@ -29,17 +29,21 @@ std::size_t shown_at_front(std::string_view bytes) {
   return is_control(character) || is_no_character(character) ? 0 : size;
 }
 
-}  // namespace
-
-std::string printable(std::string_view bytes) {
+/// `kept`: control characters that stay.
+std::string shown(std::string_view bytes, std::string_view kept) {
   std::string out;
   out.reserve(bytes.size());
   while (!bytes.empty()) {
-    const std::size_t size = shown_at_front(bytes);
+    const std::size_t size = kept.find(bytes[0]) != kept.npos ? 1 : shown_at_front(bytes);
     out += size == 0 ? std::string_view("?") : bytes.substr(0, size);
     bytes.remove_prefix(std::max<std::size_t>(size, 1));
   }
   return out;
 }
+
+}  // namespace
+
+std::string printable(std::string_view bytes) { return shown(bytes, ""); }
+std::string printable_lines(std::string_view text) { return shown(text, "\n\t"); }
 
 }  // namespace drydock::text

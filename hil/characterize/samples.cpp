@@ -81,7 +81,7 @@ void Samples::add(const measurement::Measurement& any) {
       position = north_east_down(*fix->position, *first_position_, height - first_height_m_);
     }
     put(fix->origin, position, velocity_of(*fix));
-    if (fix->utc)
+    if (fix->utc && subject.times == Subject::Times::of_arrival)
       utc_latency_s.push_back(measurement::seconds(fix->origin.received_at - *fix->utc));
   } else if (const auto* actuator = std::get_if<measurement::ActuatorState>(&any)) {
     put(actuator->origin,

@@ -34,8 +34,9 @@ struct Samples {
   std::vector<measurement::Origin> origins;
   std::array<std::vector<Eigen::Vector3d>, 2> quantities;  ///< primary, secondary
   std::vector<Eigen::Vector3d>
-      attitude;                       ///< DVL: roll, pitch, heading of its head, rad; else empty
-  std::vector<double> utc_latency_s;  ///< GNSS: arrival time minus the time that the fix states
+      attitude;  ///< DVL: roll, pitch, heading of its head, rad; else empty
+  /// GNSS: arrival by the host's clock minus the time that the fix states.
+  std::vector<double> utc_latency_s;
 
  private:
   std::optional<measurement::Geodetic> first_position_;

@@ -36,6 +36,10 @@ constexpr std::chrono::seconds patience{5};  ///< limit for a client that connec
 constexpr std::chrono::seconds quick{1};     ///< limit for an answer when drivers run on the same
                                              ///< thread
 constexpr std::size_t most_callers = 16;
+/// To one more, as an answer to whatever it asks.
+constexpr std::string_view busy =
+    R"({"ok":false,"lines":["the bench runs, but 16 others are at its control socket: try again"]})"
+    "\n";
 
 constexpr std::size_t longest_path = sizeof(sockaddr_un::sun_path) - 1;
 
@@ -120,7 +124,12 @@ asio::awaitable<void> ControlSocket::House::receive_callers() {
     auto [error, socket] = co_await acceptor.async_accept(outcome);
     if (error) co_return;
     std::erase_if(callers, [](const auto& caller) { return caller.expired(); });
-    if (callers.size() >= most_callers) continue;
+    if (callers.size() >= most_callers) {
+      boost::system::error_code ignored;
+      socket.non_blocking(true, ignored);
+      socket.write_some(asio::buffer(busy), ignored);
+      continue;
+    }
     auto caller = std::make_shared<Local::socket>(std::move(socket));
     callers.push_back(caller);
     asio::co_spawn(acceptor.get_executor(), serve(std::move(caller)), asio::detached);
@@ -173,8 +182,7 @@ boost::system::result<std::string> ask(const std::string& path, const std::strin
   if (error) return error;
   std::string answer;
   asio::read(socket, asio::dynamic_buffer(answer), error);
-  if (error != asio::error::eof) return error;
-  if (answer.empty()) return asio::error::make_error_code(asio::error::eof);
+  if (!answer.ends_with('\n')) return error;  // a bench that is busy leaves the question unread
   answer.pop_back();
   return answer;
 }

@@ -50,7 +50,7 @@ std::optional<CaptureInfo> capture_info(const std::string& file) {
 
 std::string to_text(const CaptureInfo& info) {
   std::string text = fmt::format(
-      "{}: CAN capture, {}, {:.1f} MB, {} frames, {} identifiers", text::printable(info.file),
+      "{}: CAN capture, {}, {:.1f} MB, {} frames, {} identifiers", info.file,
       info.format, static_cast<double>(info.size) / 1e6, info.frames, info.identifiers.size());
   if (info.duration_s() > 0)
     text += fmt::format(", {:.1f} s, {:.1f} frames a second, longest gap {:.3f} s",
@@ -67,7 +67,7 @@ std::string to_text(const CaptureInfo& info) {
     text +=
         fmt::format("interface {}: {} frames\n", name.empty() ? "without a name" : name, frames);
   if (!info.damage.empty()) text += info.damage + "\n";
-  return text;
+  return text::printable_lines(text);
 }
 
 std::string to_json(const CaptureInfo& info, const std::vector<LineInfo>& lines) {

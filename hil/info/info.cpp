@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <filesystem>
@@ -36,7 +37,7 @@ int of_recording(const std::string& file, bool json, std::FILE* out, std::FILE* 
   if (!recording) return refuse_info(err, recording.error().line);
   const auto found = info_of(*recording, file);
   fmt::print(out, "{}", json ? to_json(found) : to_text(found));
-  return terminal::exit_of(found.damage.empty());
+  return terminal::exit_of(found.damage.empty() && found.holds_something());
 }
 
 /// What the drivers hear in a capture, and for a file of bytes all that can be said.
@@ -44,9 +45,11 @@ int of_capture(const std::string& file, bool json, std::FILE* out) {
   const auto lines = line_infos(file);
   const auto frames = capture_info(file);
   const bool on_bus = frames && (lines.empty() || frames->frames > 0);
+  const bool sound = (!on_bus || (frames->frames > 0 && frames->damage.empty())) &&
+                     std::ranges::all_of(lines, [](const auto& line) { return line.damage.empty(); });
   if (json && (on_bus || !lines.empty())) {
     fmt::print(out, "{}", on_bus ? to_json(*frames, lines) : to_json(file, lines));
-    return terminal::exit_success;
+    return terminal::exit_of(sound);
   }
   if (!json && on_bus) fmt::print(out, "{}", to_text(*frames));
   if (!json && !lines.empty()) fmt::print(out, "{}", to_text(file, lines));
@@ -55,8 +58,8 @@ int of_capture(const std::string& file, bool json, std::FILE* out) {
     fmt::print(out, "{}: {} bytes of a line{}\n", text::printable(file),
                std::filesystem::file_size(file), capture::has_times(file) ? "" : ", without times");
   json ? probe::print_json(heard, out) : probe::print_text(heard, out);
-  return terminal::exit_of(on_bus || !lines.empty() ||
-                           heard.confidence() > survey::Confidence::nothing);
+  return terminal::exit_of(sound && (on_bus || !lines.empty() ||
+                                     heard.confidence() > survey::Confidence::nothing));
 }
 
 }  // namespace

@@ -87,6 +87,7 @@ RecordingInfo info_of(record::Recording& recording, const std::string& file) {
       note(std::get<record::Understood>(*event), info);
   }
   note_head(recording, info);
+  info.times = recording.clock_note();
   info.damage = recording.damage();
   return info;
 }

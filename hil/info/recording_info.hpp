@@ -28,6 +28,7 @@ struct FaultInfo {
 
 struct RecordingInfo {
   std::string file, written_by, rig, damage;
+  std::string times;       ///< how its times were read: what capture::SteadyTimes says
   std::uint64_t size = 0;  ///< of the file [bytes]
   record::Stamp begin{}, end{};
   std::map<std::string, TopicInfo> links, topics;
@@ -36,6 +37,7 @@ struct RecordingInfo {
   std::vector<FaultInfo> faults;
 
   double duration_s() const;
+  bool holds_something() const { return !links.empty() || !topics.empty() || !attachments.empty(); }
 };
 
 /// Reads the whole recording.

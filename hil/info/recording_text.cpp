@@ -40,7 +40,7 @@ nlohmann::json json_of(const std::map<std::string, TopicInfo>& all, record::Stam
 
 std::string to_text(const RecordingInfo& info) {
   std::string text = fmt::format("{}: MCAP recording, {:.1f} MB, {:.1f} s{}\nwritten by {}{}\n",
-                                 text::printable(info.file), static_cast<double>(info.size) / 1e6,
+                                 info.file, static_cast<double>(info.size) / 1e6,
                                  info.duration_s(), utc::from(info.begin.time_since_epoch()),
                                  info.written_by.empty() ? "another program" : info.written_by,
                                  info.rig.empty() ? "" : ", rig " + info.rig);
@@ -53,8 +53,10 @@ std::string to_text(const RecordingInfo& info) {
   if (info.faults.empty()) text += "no fault was set\n";
   if (!info.attachments.empty())
     text += fmt::format("attached: {}\n", fmt::join(info.attachments, ", "));
+  if (!info.holds_something()) text += "it holds no message and no attachment\n";
+  if (!info.times.empty()) text += info.times + "\n";
   if (!info.damage.empty()) text += "damaged: " + info.damage + " (drydock recover)\n";
-  return text;
+  return text::printable_lines(text);
 }
 
 std::string to_json(const RecordingInfo& info) {
@@ -74,6 +76,7 @@ std::string to_json(const RecordingInfo& info) {
                               {"topics", json_of(info.topics, info.begin)},
                               {"faults", faults},
                               {"attachments", info.attachments},
+                              {"times", info.times},
                               {"damage", info.damage}};
   return text::json_of_any_text(all) + "\n";
 }

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <csignal>
+
 #include "drivers/terminal/dead_terminal.hpp"
 #include "drivers/terminal/early_end.hpp"
 #include "drivers/terminal/exit_codes.hpp"
@@ -8,6 +10,7 @@
 #include "hil/program/load_rig.hpp"
 #include "hil/program/misspelled.hpp"
 #include "hil/program/outputs.hpp"
+#include "hil/program/standard_streams.hpp"
 
 namespace {
 
@@ -56,6 +59,8 @@ int obey(CLI::App& app, program::Command& command, int argc, char** argv) try {
 }  // namespace
 
 int main(int argc, char** argv) {
+  program::guard_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file at its limit of size is told as a full disk is
   terminal::end_at_once_on_signals();
   terminal::hold_lines_of_pipe();
   CLI::App app{description()};

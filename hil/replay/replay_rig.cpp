@@ -254,6 +254,7 @@ class RigReplay {
     if (recorder_) fmt::print(to, "{}\n", recorder_->finish());
     if (onto_ && onto_->lost() > 0)
       fmt::print(to, "onto: {} reads or frames were not taken by the other side\n", onto_->lost());
+    if (const auto note = recording_.clock_note(); !note.empty()) fmt::print(to, "{}\n", note);
     if (!recording_.damage().empty())
       fmt::print(to, "the recording is damaged: {} (drydock recover)\n", recording_.damage());
     print_length(to, options_.part, *bench_);

@@ -70,8 +70,11 @@ int echo_recording(const std::string& file, const EchoOptions& options, std::FIL
   for (const auto& note : notes) fmt::print(err, "topic: {}\n", text::printable(note));
   if (echo.printed() > 0) return terminal::exit_success;
   if (!notes.empty()) return terminal::exit_failed;
-  fmt::print(err, "topic: nothing of {} in it; it has {}\n", options.name,
-             fmt::join(echo.topics(), ", "));
+  const auto topics = fmt::format("{}", fmt::join(echo.topics(), ", "));
+  fmt::print(err, "topic: {}; it has {}\n",
+             options.name.empty() ? "no message in it"
+                                  : text::printable("nothing of " + options.name + " in it"),
+             topics.empty() ? "no topic" : text::printable(topics));
   return terminal::exit_failed;
 }
 

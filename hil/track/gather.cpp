@@ -52,6 +52,7 @@ Gathered gather_recording(const std::string& path, const record::Selection& part
   gathered.source = path;
   gathered.rig_text = text_of(rig.file);
   if (!recorded.trouble().empty()) gathered.notes.push_back(recorded.trouble());
+  if (auto note = recording->clock_note(); !note.empty()) gathered.notes.push_back(std::move(note));
   if (!recording->damage().empty())
     gathered.notes.push_back("the recording is damaged: " + recording->damage());
   return gathered;

@@ -87,12 +87,14 @@ std::optional<Bytes> IpFragments::take(Bytes packet, Time at) {
 }
 
 std::uint64_t IpFragments::left_over(const std::string& sender) const {
-  const auto is_it = [&](const std::string& name) { return sender == "*" || name == sender; };
+  const bool all = sender == "*";
   std::uint64_t count = 0;
-  for (const auto& [name, fragments] : lost_)
-    if (is_it(name)) count += fragments;
   for (const auto& [key, one] : packets_)
-    if (is_it(one.sender)) count += one.fragments;
+    if (all || one.sender == sender) count += one.fragments;
+  if (all)
+    for (const auto& [name, fragments] : lost_) count += fragments;
+  else if (const auto lost = lost_.find(sender); lost != lost_.end())
+    count += lost->second;
   return count;
 }
 

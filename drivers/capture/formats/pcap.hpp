@@ -18,6 +18,7 @@ class Pcap final : public Reader {
 
   Scan scan(Bytes bytes, bool at_end) override;
   Reading read(Bytes unit) override;
+  bool is_inside_block() const override { return to_skip_ > 0; }
   /// The packet of a unit that read() has seen.
   std::optional<CapturedPacket> packet(Bytes unit) const;
 

@@ -19,6 +19,7 @@ class Pcapng final : public Reader {
 
   Scan scan(Bytes bytes, bool at_end) override;
   Reading read(Bytes unit) override;
+  bool is_inside_block() const override { return to_skip_ > 0; }
 
   /// Empty if the unit, which read() has seen, is no packet or is damaged.
   std::optional<CapturedPacket> packet(Bytes unit) const;

@@ -1,5 +1,6 @@
 #include "drivers/link/can/slcan.hpp"
 
+#include <algorithm>
 #include <array>
 #include <boost/asio/error.hpp>
 #include <boost/asio/experimental/awaitable_operators.hpp>
@@ -29,6 +30,11 @@ constexpr std::size_t most_frames_per_read = 128;  // the shortest line has 4 by
 constexpr auto first_answer_patience = 500ms, answer_patience = 2000ms;
 /// Some adapters answer the empty line as well as C: nothing more comes after this silence.
 constexpr auto quiet_after = 50ms;
+
+/// An adapter that was reset, or that another program closed, says nothing, as a silent bus does.
+/// After this silence its channel is opened again, then less and less often; and where it refuses a
+/// frame it is asked sooner.
+constexpr auto first_silence = 2000ms, longest_silence = 30000ms, silence_of_refusal = 500ms;
 
 /// The empty line ends whatever an earlier program, or a write of ours, left incomplete.
 constexpr std::string_view closing = "\rC\r";
@@ -72,6 +78,8 @@ class SlcanLink final : public FrameLink {
 
   Task<void> opened();
   Task<void> open_channel();
+  /// One read, or what silence asks for.
+  Task<void> take_or_open_again();
   Task<void> close_first();
   Task<void> command(std::string_view text);
   /// Reads until there is an answer or the limit is over. With `frames_too` a frame ends it as
@@ -87,9 +95,13 @@ class SlcanLink final : public FrameLink {
   std::unique_ptr<ByteLink> line_;
   std::string_view rate_, open_;  ///< the commands of this channel: S5, L
   asio::steady_timer patience_;
-  std::optional<Answer> answer_;         ///< the first one since it was emptied
-  bool silent_ = true;                   ///< no answer so far
-  bool spoken_ = false;                  ///< the adapter has got a command
+  std::optional<Answer> answer_;  ///< the first one since it was emptied
+  bool silent_ = true;            ///< no answer so far
+  bool spoken_ = false;           ///< the adapter has got a command
+  bool refused_ = false;          ///< a frame of ours, since the channel was opened
+  unsigned writing_ = 0;          ///< frames that are on their way to the adapter
+  std::chrono::steady_clock::time_point heard_at_{};  ///< a frame, or the channel was opened
+  std::chrono::steady_clock::duration silence_ = first_silence;
   std::shared_ptr<io::Signal> changed_;  ///< signalled when the channel is no longer opening
   Channel channel_ = Channel::closed;
   wire::Framer<wire::Slcan::max_frame> framer_;
@@ -110,6 +122,8 @@ Task<void> SlcanLink::opened() {
   channel_ = Channel::opening;
   const auto outcome = co_await open_channel();
   channel_ = outcome ? Channel::open : Channel::closed;
+  refused_ = false;
+  heard_at_ = std::chrono::steady_clock::now();
   changed_->notify();
   co_return outcome;
 }
@@ -171,10 +185,24 @@ Task<void> SlcanLink::take() {
 Task<ReceivedFrame> SlcanLink::read() {
   if (const auto ready = co_await opened(); !ready) co_return ready.error();
   while (frames_.empty())
-    if (const auto taken = co_await take(); !taken) co_return taken.error();
+    if (const auto taken = co_await take_or_open_again(); !taken) co_return taken.error();
   const ReceivedFrame frame = frames_.front();
   frames_.pop_front();
   co_return frame;
+}
+
+Task<void> SlcanLink::take_or_open_again() {
+  using namespace asio::experimental::awaitable_operators;
+  patience_.expires_at(heard_at_ + (refused_ ? silence_of_refusal : silence_));
+  const auto first = co_await (take() || patience_.async_wait(as_outcome));
+  if (first.index() == 0) co_return std::get<0>(first);
+  if (writing_ > 0) {  // our lines must not mix
+    heard_at_ = std::chrono::steady_clock::now();
+    co_return boost::system::result<void>{};
+  }
+  silence_ = std::min<std::chrono::steady_clock::duration>(2 * silence_, longest_silence);
+  channel_ = Channel::closed;
+  co_return co_await opened();
 }
 
 void SlcanLink::take_in(wire::Bytes bytes, Stamp at) {
@@ -209,6 +237,7 @@ void SlcanLink::note_damage() {
 }
 
 void SlcanLink::hear(Answer answer) {
+  refused_ = refused_ || (channel_ == Channel::open && answer == Answer::refused);
   const bool of_command = answer == Answer::done || answer == Answer::refused;
   if (!of_command || channel_ != Channel::opening) return;
   silent_ = false;
@@ -217,6 +246,9 @@ void SlcanLink::hear(Answer answer) {
 
 void SlcanLink::keep(const wire::CanFrame& frame, Stamp at) {
   if (echoes_ && written_.take_echo(frame)) return;
+  heard_at_ = std::chrono::steady_clock::now();
+  silence_ = first_silence;
+  refused_ = false;
   if (frames_.full())
     ++dropped_;
   else
@@ -229,7 +261,10 @@ Task<void> SlcanLink::write(const wire::CanFrame& frame) {
   if (size == 0) co_return ErrorCode(asio::error::operation_not_supported);
   if (const auto ready = co_await opened(); !ready) co_return ready.error();
   if (echoes_) written_.add(frame);
-  co_return co_await line_->write({line.data(), size});
+  ++writing_;
+  const auto written = co_await line_->write({line.data(), size});
+  --writing_;
+  co_return written;
 }
 
 }  // namespace

@@ -103,9 +103,11 @@ class Row {
   int in_sequence_ = 0;
 };
 
-/// "/imu/data" -> "imu_data.csv"
+/// "/imu/data" -> "imu_data.csv". Control characters of a foreign topic are none of a name.
 std::string file_name(std::string topic) {
-  std::ranges::replace(topic, '/', '_');
+  std::ranges::replace_if(
+      topic, [](char c) { return c == '/' || static_cast<unsigned char>(c) < ' ' || c == '\x7F'; },
+      '_');
   return topic.substr(topic.starts_with('_') ? 1 : 0) + ".csv";
 }
 

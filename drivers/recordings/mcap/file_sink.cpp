@@ -13,12 +13,20 @@ namespace {
 
 using boost::system::error_code;
 
+constexpr auto is_link = boost::system::errc::too_many_symbolic_link_levels;
+
 error_code last_error() { return {errno, boost::system::system_category()}; }
 
 /// A pipe, a terminal or a file system without a disk has nothing to sync.
 error_code outcome_of_sync(int result) {
   if (result == 0 || errno == EINVAL || errno == EROFS || errno == ENOTSUP) return {};
   return last_error();
+}
+
+/// What another name points to is not replaced by its own name.
+bool is_link_to_file(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::is_symlink(path, none) && std::filesystem::is_regular_file(path, none);
 }
 
 /// A name that is only in memory would take the file with it.
@@ -60,6 +68,7 @@ class File {
 
 boost::system::result<Sink> file_sink(const std::string& path, bool overwrite, Sync sync) {
   constexpr mode_t readable_by_all = 0644;
+  if (overwrite && is_link_to_file(path)) return make_error_code(is_link);
   const int mode = overwrite ? O_TRUNC : O_EXCL;
   const int descriptor =
       ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | mode, readable_by_all);
@@ -71,6 +80,7 @@ boost::system::result<Sink> file_sink(const std::string& path, bool overwrite, S
 }
 
 std::string refused(const std::string& path, const boost::system::error_code& error) {
+  if (error == is_link) return path + " is a symbolic link: name the file itself";
   const bool there = error == boost::system::errc::file_exists;
   return path + ": " + error.message() + (there ? "; --overwrite replaces it" : "");
 }

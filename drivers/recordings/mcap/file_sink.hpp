@@ -11,7 +11,8 @@ namespace drydock::mcap {
 /// ext4, XFS and Btrfs they do. FAT and exFAT keep no journal: a file that grew may need fsck.
 enum class Sync : std::uint8_t { never, each_write };
 
-/// A new file as the sink of a writer. `path` must not exist, unless `overwrite`. The sink reports
+/// A new file as the sink of a writer. `path` must not exist, unless `overwrite`, and then it must
+/// be no symbolic link to a file. The sink reports
 /// the errors of write(). It also reports an error if the file was deleted in the meantime, because
 /// nobody could ever find it. With Sync::each_write the folder too is on the disk when this
 /// returns.

@@ -54,6 +54,9 @@ struct Channel {
   Map metadata;
 };
 
+/// Readers take a later time as this one, so that the difference of two times fits: in 2116.
+inline constexpr std::uint64_t latest_time = std::uint64_t{INT64_MAX} / 2;
+
 /// Times are in ns since 1970. The caller owns `data`.
 struct Message {
   std::uint16_t channel = 0;

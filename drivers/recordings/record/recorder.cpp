@@ -27,7 +27,7 @@ Recorder::Recorder(Parts parts, const RecorderOptions& options)
 
 void Recorder::add_raw(std::string_view link, Stamp at) {
   for (const auto& known : links_)
-    if (known.uri == link) return tape_.put(known.topic, at, raw_);
+    if (known.uri == link) return tape_.put(known.topic, link, at, raw_);
 }
 
 void Recorder::on_bytes(std::string_view link, shell::Direction direction, wire::Bytes bytes,

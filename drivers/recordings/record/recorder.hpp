@@ -46,6 +46,8 @@ class Recorder final : public shell::RawListener {
   void tick(Stamp now);
   boost::system::error_code finish();
   TapeStatus status() const;
+  /// As capture::SteadyTimes::in_words().
+  std::string clock_note() const { return tape_.times().in_words(); }
 
  private:
   struct Link {

@@ -20,10 +20,9 @@ std::string value_of(const mcap::Map& map, std::string_view key) {
   return {};
 }
 
-/// Limits the time, so that the difference of two times fits too.
 Stamp stamp_of(const mcap::Message& message) {
-  constexpr std::uint64_t latest = std::uint64_t{INT64_MAX} / 2;  // the year 2116
-  return measurement::stamp_from_ns(static_cast<std::int64_t>(std::min(message.log_time, latest)));
+  return measurement::stamp_from_ns(
+      static_cast<std::int64_t>(std::min(message.log_time, mcap::latest_time)));
 }
 
 /// Memory of a record while the file is read: a small compressed file may unpack to any size.
@@ -156,6 +155,24 @@ std::optional<Event> Recording::event_of(const mcap::Message& message) {
   return {};
 }
 
+void Recording::go_on(Event& event) {
+  if (auto* known = std::get_if<Understood>(&event)) {
+    known->at = Stamp{times_.beside(known->at.time_since_epoch())};
+    return;
+  }
+  auto& raw = std::get<RawEvent>(event);
+  const Stamp at{times_.of(links_[raw.link].name, raw.at().time_since_epoch())};
+  std::visit([&](auto& content) { content.at = at; }, raw.content);
+}
+
+std::string Recording::clock_note() const {
+  std::string note = times_.in_words();
+  if (beyond_ > 0)
+    note += (note.empty() ? "" : "; ") + std::to_string(beyond_) +
+            " messages have times after 2116, which are taken as 2116";
+  return note;
+}
+
 std::optional<Event> Recording::next() {
   while (damage_.empty()) {
     std::optional<mcap::Record> record;
@@ -167,7 +184,11 @@ std::optional<Event> Recording::next() {
     }
     if (!record) return {};
     if (const auto* message = std::get_if<mcap::Message>(&*record)) {
-      if (auto event = event_of(*message)) return event;
+      beyond_ += message->log_time > mcap::latest_time;
+      if (auto event = event_of(*message)) {
+        go_on(*event);
+        return event;
+      }
       ++unreadable_;
     } else {
       note(std::move(*record));

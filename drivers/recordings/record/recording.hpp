@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "drivers/capture/steady_times.hpp"
 #include "drivers/recordings/mcap/reader.hpp"
 #include "drivers/recordings/record/raw_message.hpp"
 #include "drivers/recordings/record/recorder.hpp"
@@ -43,6 +44,8 @@ struct Understood {
 using Event = std::variant<RawEvent, Understood>;
 
 /// Reads a recording of Recorder from start to end. It reads a truncated recording up to its end.
+/// Where the links' times jump back, because the host's clock was set, times go on from the last
+/// one before.
 class Recording {
  public:
   /// Limit of the memory for records that are kept; messages are not kept.
@@ -74,6 +77,9 @@ class Recording {
 
   /// Use it after the end. Empty, or one line that says where the file is truncated or damaged.
   const std::string& damage() const { return damage_.empty() ? reader_.damage() : damage_; }
+  /// How the times of what was read so far were changed: as capture::SteadyTimes::in_words(), and
+  /// how many are later than any clock's. Empty: they are those of the file.
+  std::string clock_note() const;
   std::uint64_t unreadable() const { return unreadable_; }  ///< raw, not decoded
 
  private:
@@ -83,6 +89,7 @@ class Recording {
   void keep(Kept& place, std::type_identity_t<Kept>&& record);
   void note_channel(mcap::Channel&& channel);
   std::optional<Event> event_of(const mcap::Message& message);
+  void go_on(Event& event);
 
   mcap::Reader reader_;
   std::vector<RecordedLink> links_;
@@ -93,7 +100,9 @@ class Recording {
   std::map<std::uint16_t, std::size_t> link_of_;  ///< by raw channel
   std::optional<mcap::Message> first_;
   std::optional<Stamp> begin_;
+  capture::SteadyTimes times_;
   std::uint64_t unreadable_ = 0;
+  std::uint64_t beyond_ = 0;  ///< messages after mcap::latest_time
   std::size_t kept_bytes_ = 0;
   std::string damage_;
 };

@@ -26,9 +26,10 @@ class Copy {
       return;
     }
     writer().add(message);
-    if (done_.messages++ == 0) done_.first_time = message.log_time;
-    done_.first_time = std::min(done_.first_time, message.log_time);
-    done_.last_time = std::max(done_.last_time, message.log_time);
+    const auto time = std::min(message.log_time, mcap::latest_time);
+    if (done_.messages++ == 0) done_.first_time = time;
+    done_.first_time = std::min(done_.first_time, time);
+    done_.last_time = std::max(done_.last_time, time);
   }
   void operator()(const mcap::Attachment& attachment) {
     writer().add(attachment);

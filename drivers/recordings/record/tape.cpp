@@ -24,15 +24,16 @@ std::uint32_t Tape::add_topic(const Topic& topic) {
 
 void Tape::begin() { put_block(); }
 
-void Tape::put(std::uint32_t topic, Stamp at, std::span<const std::uint8_t> cdr) {
-  const auto time = static_cast<std::uint64_t>(at.time_since_epoch().count());
+void Tape::write(std::uint32_t topic, std::chrono::nanoseconds at,
+                 std::span<const std::uint8_t> cdr) {
+  const auto time = static_cast<std::uint64_t>(at.count());
   block_.add(
       mcap::Message{static_cast<std::uint16_t>(topic), sequences_[topic]++, time, time, cdr});
   if (mcap::is_full(block_)) put_block();
 }
 
 void Tape::tick(Stamp now) {
-  const auto time = static_cast<std::uint64_t>(now.time_since_epoch().count());
+  const auto time = static_cast<std::uint64_t>(times_.beside(now.time_since_epoch()).count());
   const auto oldest = block_.first_time() + static_cast<std::uint64_t>(mcap::block_time.count());
   const bool set_back =
       time + static_cast<std::uint64_t>(mcap::block_time.count()) < block_.first_time();

@@ -146,9 +146,12 @@ void Annotations::multiplexed_values() {
   const std::string selector{in_.word("the selector")};
   std::vector<Range> ranges;
   while (!in_.next_is(';')) {
+    const Place at = in_.place();
     const std::int64_t first = in_.integer("the first value");
     in_.expect('-');
     ranges.push_back({first, in_.integer("the last value")});
+    if (ranges.back().last < first)
+      contents_.remarks.warn(at, "the range ends before it begins, so no value is in it");
     in_.accept(',');
   }
   in_.expect(';');

@@ -39,12 +39,18 @@ void check_end(const Message& message, const Signal& signal, Remarks& remarks) {
                               std::to_string(message.size) + " bytes of " + message.name);
 }
 
+void check_factor(const Signal& signal, Remarks& remarks) {
+  if (signal.layout.factor == 0)
+    remarks.warn(signal.at, "signal " + signal.name + " has the factor 0: it always is its offset");
+}
+
 }  // namespace
 
 void check_layout(const Message& message, Remarks& remarks) {
   std::vector<Footprint> prints;
   for (const Signal& b : message.signals) {
     check_end(message, b, remarks);
+    check_factor(b, remarks);
     const Footprint print(b.layout);
     for (std::size_t i = 0; i < prints.size(); ++i) {
       const Signal& a = message.signals[i];

@@ -1,6 +1,7 @@
 #include "drivers/wire/nmea0183/nmea0183_gnss.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "drivers/measurement/units.hpp"
@@ -38,14 +39,14 @@ std::optional<year_month_day> read_long_date(SentenceReader& fields) {
   return checked({year{*y}, month{static_cast<unsigned>(*m)}, day{static_cast<unsigned>(*d)}});
 }
 
-/// Speed in knots and km/h, each with `letter` fields for its letter.
-std::optional<double> read_speed(SentenceReader& fields, std::size_t letter) {
-  const auto knots = fields.number();
-  fields.skip(letter);
-  const auto kilometres_per_hour = fields.number();
-  fields.skip(letter);
-  return knots ? scaled(knots, units::knot)
-               : scaled(kilometres_per_hour, units::kilometre_per_hour);
+std::optional<int> within(std::optional<int> number, int most) {
+  return number && std::abs(*number) <= most ? number : std::nullopt;
+}
+
+/// A speed over the ground has no sign: its course tells where to.
+std::optional<double> read_speed(SentenceReader& fields, double unit) {
+  const auto speed = fields.number();
+  return speed && *speed >= 0 ? scaled(speed, unit) : std::nullopt;
 }
 
 }  // namespace
@@ -58,15 +59,15 @@ bool read(SentenceReader& fields, Gga& m) {
   m.satellites_used = fields.integer();
   m.horizontal_dop = dilution(fields.number());
   m.mean_sea_level_height_m = fields.number();
-  fields.skip(1);
+  bool metres = fields.fixed('M');
   m.geoid_separation_m = fields.number();
-  fields.skip(1);
+  metres = fields.fixed('M') && metres;
   m.differential_age_s = fields.number();
   m.differential_station = fields.integer();
   if (m.quality.value_or(0) <= 0) {
     m.latitude_rad = m.longitude_rad = m.mean_sea_level_height_m = std::nullopt;
   }
-  return true;
+  return metres;
 }
 
 bool read(SentenceReader& fields, Rmc& m) {
@@ -74,8 +75,8 @@ bool read(SentenceReader& fields, Rmc& m) {
   m.time_of_day = fields.time();
   m.valid = fields.letter().value == 'A';
   fields.position(m.latitude_rad, m.longitude_rad);
-  m.speed_mps = scaled(fields.number(), units::knot);
-  m.course_rad = fields.angle();
+  m.speed_mps = read_speed(fields, units::knot);
+  m.course_rad = fields.direction();
   m.date = read_short_date(fields);
   m.magnetic_variation_rad = fields.eastward();
   m.mode = fields.letter();
@@ -126,26 +127,35 @@ bool read(SentenceReader& fields, Gsa& m) {
 /// Before version 2 of the standard it had four numbers and no letters between them.
 bool read(SentenceReader& fields, Vtg& m) {
   constexpr std::size_t numbers_alone = 4;
-  const std::size_t letter = fields.remaining() == numbers_alone ? 0 : 1;
+  const bool lettered = fields.remaining() != numbers_alone;
+  bool as_known = true;
+  const auto expect = [&](char letter) {
+    if (lettered) as_known = fields.fixed(letter) && as_known;
+  };
   m.talker = fields.talker();
-  m.course_true_rad = fields.angle();
-  fields.skip(letter);
-  m.course_magnetic_rad = fields.angle();
-  fields.skip(letter);
-  m.speed_mps = read_speed(fields, letter);
+  m.course_true_rad = fields.direction();
+  expect('T');
+  m.course_magnetic_rad = fields.direction();
+  expect('M');
+  const auto of_knots = read_speed(fields, units::knot);
+  expect('N');
+  const auto of_kilometres = read_speed(fields, units::kilometre_per_hour);
+  expect('K');
+  m.speed_mps = of_knots ? of_knots : of_kilometres;
   m.mode = fields.letter();
   if (m.mode.value == 'N') {
     m.course_true_rad = m.course_magnetic_rad = m.speed_mps = std::nullopt;
   }
-  return true;
+  return as_known;
 }
 
 bool read(SentenceReader& fields, Zda& m) {
   m.talker = fields.talker();
   m.time_of_day = fields.time();
   m.date = read_long_date(fields);
-  m.zone_hours = fields.integer();
-  m.zone_minutes = fields.integer();
+  constexpr int most_hours = 13, most_minutes = 59;  // of IEC 61162-1; either way from UTC
+  m.zone_hours = within(fields.integer(), most_hours);
+  m.zone_minutes = within(fields.integer(), most_minutes);
   return true;
 }
 

@@ -5,7 +5,7 @@ namespace drydock::wire {
 bool read(SentenceReader& fields, Hdt& m) {
   m.talker = fields.talker();
   m.heading_rad = fields.angle();
-  return true;
+  return fields.fixed('T');
 }
 
 bool read(SentenceReader& fields, Ths& m) {
@@ -27,7 +27,7 @@ bool read(SentenceReader& fields, Hdg& m) {
 bool read(SentenceReader& fields, Hdm& m) {
   m.talker = fields.talker();
   m.heading_rad = fields.angle();
-  return true;
+  return fields.fixed('M');
 }
 
 std::size_t encode(const Hdt& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals) {

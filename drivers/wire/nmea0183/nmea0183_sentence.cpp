@@ -88,8 +88,16 @@ std::string_view SentenceReader::text() {
   return {start, static_cast<std::size_t>(stop - start)};
 }
 
-void SentenceReader::skip(std::size_t fields) {
-  while (fields-- > 0) text();
+bool SentenceReader::fixed(char letter) {
+  const std::string_view field = trimmed(text());
+  return field.empty() ||
+         (field.size() == 1 && (field[0] == letter || field[0] == (letter | 0x20)));
+}
+
+std::optional<double> SentenceReader::direction() {
+  const auto degrees = number();
+  if (!degrees || *degrees < 0 || *degrees > 360) return std::nullopt;
+  return radians(*degrees);
 }
 
 Letter SentenceReader::letter() {

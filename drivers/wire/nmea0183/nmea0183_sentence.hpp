@@ -50,14 +50,17 @@ class SentenceReader {
 
   std::size_t remaining() const;  ///< fields not yet read
   std::string_view text();
-  void skip(std::size_t fields);
   Letter letter();
+  /// A field that has the same letter in all such sentences, as M for metres. False if another one
+  /// is there: then the fields are not those of the sentence. Empty or missing it says nothing.
+  bool fixed(char letter);
   std::optional<double> number() { return optional_of<double>(&SentenceReader::take_number); }
   std::optional<int> integer() { return optional_of<int>(&SentenceReader::take_integer); }
   std::optional<int> hexadecimal();
   std::optional<double> angle() {
     return scaled(number(), radians(1));
   }                                   ///< degrees on the wire, rad here
+  std::optional<double> direction();  ///< as angle(); empty too where it is not 0 to 360
   std::optional<double> latitude();   ///< ddmm.m,N|S; two fields; rad
   std::optional<double> longitude();  ///< dddmm.m,E|W; two fields; rad
   /// latitude() and longitude(): both, or none of them.

@@ -20,10 +20,10 @@ void write_speeds(SentenceWriter& out, int decimals, const V&... speeds) {
   out.letter((speeds || ...) ? 'A' : 'V');
 }
 
-Value read_distance(SentenceReader& fields) {
-  const Value miles = fields.number();
-  fields.skip(1);
-  return scaled(miles, units::nautical_mile);
+/// False if it is not in nautical miles.
+bool read_distance(SentenceReader& fields, Value& distance_m) {
+  distance_m = scaled(fields.number(), units::nautical_mile);
+  return fields.fixed('N');
 }
 
 void write_distance(SentenceWriter& out, const Value& distance_m, int decimals) {
@@ -36,15 +36,15 @@ void write_distance(SentenceWriter& out, const Value& distance_m, int decimals) 
 bool read(SentenceReader& fields, Vhw& m) {
   m.talker = fields.talker();
   m.heading_true_rad = fields.angle();
-  fields.skip(1);
+  if (!fields.fixed('T')) return false;
   m.heading_magnetic_rad = fields.angle();
-  fields.skip(1);
+  if (!fields.fixed('M')) return false;
   const Value knots = fields.number();
-  fields.skip(1);
+  if (!fields.fixed('N')) return false;
   const Value kilometres_per_hour = fields.number();
   m.speed_mps =
       knots ? scaled(knots, units::knot) : scaled(kilometres_per_hour, units::kilometre_per_hour);
-  return true;
+  return fields.fixed('K');
 }
 
 bool read(SentenceReader& fields, Vbw& m) {
@@ -58,11 +58,8 @@ bool read(SentenceReader& fields, Vbw& m) {
 
 bool read(SentenceReader& fields, Vlw& m) {
   m.talker = fields.talker();
-  m.water_total_m = read_distance(fields);
-  m.water_trip_m = read_distance(fields);
-  m.ground_total_m = read_distance(fields);
-  m.ground_trip_m = read_distance(fields);
-  return true;
+  return read_distance(fields, m.water_total_m) && read_distance(fields, m.water_trip_m) &&
+         read_distance(fields, m.ground_total_m) && read_distance(fields, m.ground_trip_m);
 }
 
 std::size_t encode(const Vhw& m, std::span<std::uint8_t> out, const NmeaDecimals& decimals) {

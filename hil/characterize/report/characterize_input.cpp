@@ -118,6 +118,7 @@ Gathered gather_recording(const CharacterizeOptions& options) {
         "axes are the body's, lever arms are not known: no rig is attached");
   if (unreadable > 0)
     gathered.notes.push_back(fmt::format("{} messages are no measurements", unreadable));
+  if (auto note = recording.clock_note(); !note.empty()) gathered.notes.push_back(std::move(note));
   if (!recording.damage().empty()) gathered.notes.push_back(recording.damage());
   return gathered;
 }

@@ -59,8 +59,12 @@ def same(ours, theirs):
     return ours is not None and abs(ours - theirs) <= 1e-9 * max(abs(ours), abs(theirs), 1e-300)
 
 
+OWN_KEYS = ("type", "time_s", "interface", "source", "destination")
+
+
 def key(signal):
-    return signal.attributes.get("SystemSignalLongSymbol", signal.name).strip('"')
+    name = signal.attributes.get("SystemSignalLongSymbol", signal.name).strip('"')
+    return "device_" + name if name in OWN_KEYS else name
 
 
 compared = encoded = 0

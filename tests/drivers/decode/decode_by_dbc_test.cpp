@@ -43,6 +43,23 @@ TEST(DecodeByDbc, EachMessageIsALineWithItsSignals) {
   EXPECT_EQ(lines.size(), compared);
 }
 
+TEST(DecodeByDbc, EachKeyStandsOnceWhateverTheSignalsAreCalled) {
+  const TemporaryFile capture("(1.0) can0 100#0102030405060708\n");
+  const auto keys = [&](const std::string& signals) {
+    const TemporaryFile dbc("VERSION \"\"\nBU_: A\nBO_ 256 M: 8 A\n" + signals);
+    return by_dbc(dbc.path(), capture.path()).out;
+  };
+  const auto own = keys(
+      " SG_ type : 0|8@1+ (1,0) [0|0] \"\" A\n SG_ time_s : 8|8@1+ (1,0) [0|0] \"\" A\n"
+      " SG_ interface : 16|8@1+ (1,0) [0|0] \"\" A\n");
+  EXPECT_EQ(own,
+            "{\"type\":\"M\",\"time_s\":1,\"interface\":\"can0\",\"device_type\":1,"
+            "\"device_time_s\":2,\"device_interface\":3}\n");
+  const auto twice =
+      keys(" SG_ S : 0|8@1+ (1,0) [0|0] \"\" A\n SG_ S : 8|8@1+ (2,0) [0|0] \"\" A\n");
+  if (!twice.empty()) EXPECT_THAT(twice, HasSubstr("\"S\":1,\"S_2\":4"));
+}
+
 TEST(DecodeByDbc, WhatHasNoMessageIsCountedByItsIdentifier) {
   const Decoded decoded = by_dbc(folder + "bus.dbc", folder + "frames.log");
   EXPECT_EQ(decoded.err,

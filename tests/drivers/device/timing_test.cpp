@@ -70,6 +70,31 @@ TEST(Timing, FramesInOneReadArrivedOneAfterTheOther) {
   EXPECT_NEAR(measurement::seconds(at_s(1) - speeds[0].origin.valid_at), 0.25, 2e-9);
 }
 
+/// A host that stood still reads in one moment what a line of 4800 baud carried in seconds.
+TEST(Timing, WhatWaitedInAPortNeverGoesBackBehindWhatWasReadBefore) {
+  Ear ear;
+  const auto driver = byte_driver(log_at(4800));
+  const Octets many = forty_bytes() + forty_bytes() + forty_bytes() + forty_bytes();
+  driver->receive(many, at_s(10), ear);
+  driver->receive(many, at_s(10.02), ear);
+  const auto speeds = ear.all<measurement::WaterSpeed>();
+  ASSERT_EQ(speeds.size(), 8U);
+  for (std::size_t i = 1; i < speeds.size(); ++i) {
+    EXPECT_GE(speeds[i].origin.received_at, speeds[i - 1].origin.received_at) << i;
+    EXPECT_GE(speeds[i].origin.valid_at, speeds[i - 1].origin.valid_at) << i;
+  }
+  EXPECT_EQ(speeds[0].origin.received_at, at_s(10) - nanoseconds{250'000'000});
+  EXPECT_EQ(speeds[7].origin.received_at, at_s(10.02));
+}
+
+TEST(Timing, AfterAClockThatWasSetBackTimesAreThoseOfTheClock) {
+  Ear ear;
+  const auto driver = byte_driver(log_at(4800));
+  driver->receive(forty_bytes(), at_s(3610), ear);
+  driver->receive(forty_bytes(), at_s(11), ear);
+  EXPECT_EQ(ear.all<measurement::WaterSpeed>().at(1).origin.received_at, at_s(11));
+}
+
 TEST(Timing, LineWithoutABaudRateCostsOnlyTheLatency) {
   DriverOptions o = options(Kind::emlog, "nmea0183");
   o.latency = from_seconds(0.02);

@@ -168,6 +168,19 @@ TEST_F(SlcanOpening, TheEmulatedAdapterOnlyListensAfterL) {
   EXPECT_EQ(run(io, read_bytes(*program, 3)).value(), bytes("\r\r\a"));
 }
 
+/// It was reset, or another program told it C: it says nothing until it is opened again.
+TEST_F(SlcanOpening, AnAdapterThatFellSilentIsOpenedAgain) {
+  ScriptedAdapter adapter(io, pty, {});
+  const auto silent = bus();
+  const auto read = start(io, silent->read());
+  const std::string opening = "\rC\rS5\rO\r";
+  run_until(io, [&] { return adapter.got().size() >= 2 * opening.size(); });
+  EXPECT_EQ(adapter.got(), opening + opening);
+  EXPECT_FALSE(read->outcome);
+  silent->close();
+  run_until(io, [&] { return read->outcome.has_value(); });
+}
+
 TEST(ListeningLinks, EveryKindOfBusReadsAndRefusesToWrite) {
   asio::io_context io;
   const auto device = open_bus(io, "memory-can:listened", Side::device);

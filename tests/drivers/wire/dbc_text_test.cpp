@@ -29,6 +29,14 @@ TEST(DbcText, LineEndsOfBothKindsReadTheSame) {
   EXPECT_EQ(test::sound(crlf).messages[0].signals[0].name, "x");
 }
 
+TEST(DbcText, WhatCanHaveNoValueIsAWarning) {
+  EXPECT_EQ(warnings_of("BO_ 1 a: 8 n\n SG_ s : 0|8@1+ (0,5) [0|0] \"\" n\n"),
+            "2:6: signal s has the factor 0: it always is its offset\n");
+  EXPECT_EQ(warnings_of("BO_ 1 a: 8 n\n SG_ s M : 0|8@1+ (1,0) [0|0] \"\" n\n"
+                        " SG_ t m0 : 8|8@1+ (1,0) [0|0] \"\" n\nSG_MUL_VAL_ 1 t s 1-2, 5-1;\n"),
+            "4:24: the range ends before it begins, so no value is in it\n");
+}
+
 TEST(DbcText, AnErrorNamesLineAndColumn) {
   EXPECT_EQ(errors_of("BO_ 1 a: 8 n\n SG_ s : 0|8@2+ (1,0) [0|0] \"\" n\n"),
             "2:14: one of \"01\" is missing\n");

@@ -66,5 +66,20 @@ TEST(Samples, AReceiverNearTheDateLineIsAsQuietAsAnyOther) {
   EXPECT_LT(std::sqrt(squares / 1000), 4);  // 1 m of noise, from a place within three sigmas
 }
 
+/// GPS counts from 1980 and its week from Sunday, so times of week less UTC are none.
+TEST(Samples, OnlyTheHostsClockTellsAReceiversLatency) {
+  using enum Subject::Times;
+  for (const auto times : {of_arrival, of_device, none}) {
+    Subject of = subject(rig_config::DeviceKind::gnss);
+    of.times = times;
+    Samples samples(of);
+    measurement::GnssFix fix;
+    fix.origin.received_at = measurement::Stamp{std::chrono::seconds{547218}};
+    fix.utc = measurement::Stamp{std::chrono::seconds{1'795'248'000}};
+    samples.add(fix);
+    EXPECT_EQ(samples.utc_latency_s.size(), times == of_arrival ? 1u : 0u);
+  }
+}
+
 }  // namespace
 }  // namespace drydock::characterize

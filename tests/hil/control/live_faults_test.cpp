@@ -241,6 +241,21 @@ TEST_F(Socket, ACallerThatSaysNothingOrTooMuchHoldsNobodyUp) {
   socket.reset();
 }
 
+TEST_F(Socket, ThatManyIdleCallersHoldSaysThatItIsBusy) {
+  auto socket = open();
+  boost::asio::io_context other;
+  using Local = boost::asio::local::stream_protocol;
+  std::vector<Local::socket> idle;
+  for (int i = 0; i < 16; ++i) {
+    idle.emplace_back(other);
+    idle.back().connect(Local::endpoint(path_));
+  }
+  const auto answer = ask_it("ping");
+  ASSERT_TRUE(answer) << answer.error().message();
+  EXPECT_THAT(*answer, HasSubstr("the bench runs"));
+  socket.reset();
+}
+
 TEST(LiveFaults, SetByHandEndByThemselvesAndAreToldOnceEach) {
   const link::testing::Folder folder;
   ::setenv("XDG_RUNTIME_DIR", folder.file("").c_str(), 1);

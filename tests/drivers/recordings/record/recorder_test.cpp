@@ -1,11 +1,12 @@
 #include "drivers/recordings/record/recorder.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <stdlib.h>
 
 #include <numbers>
 #include <thread>
 
+#include "drivers/recordings/record/recording.hpp"
 #include "tests/drivers/recordings/mcap/read_back.hpp"
 
 namespace drydock::record {
@@ -165,6 +166,37 @@ TEST_F(RecorderTest, AClockThatIsSetBackDelaysNoBlock) {
   while (recorder.status().messages < 1 && std::chrono::steady_clock::now() < patience)
     std::this_thread::yield();
   EXPECT_EQ(recorder.status().messages, 1U);
+}
+
+/// The clock is set back by an hour 5 s after the start, and the devices go on.
+TEST_F(RecorderTest, TimesGoOnWhereTheHostsClockIsSetBack) {
+  {
+    Recorder recorder(mcap::file_sink(path_).value(), options_);
+    const std::array<std::uint8_t, 1> byte{7};
+    for (int s = 0; s < 10; ++s) {
+      const auto at = start + std::chrono::seconds{s < 5 ? s : s - 3600};
+      recorder.on_bytes("pty:dvl?baud=115200", shell::Direction::received, byte, at);
+      ImuSample sample;
+      sample.origin.device = 1;
+      sample.origin.valid_at = sample.origin.received_at = at;
+      recorder.topics().publish(sample);
+    }
+    EXPECT_FALSE(recorder.finish());
+    EXPECT_THAT(recorder.clock_note(), testing::HasSubstr("set back once, by 3599.000 s"));
+  }
+  auto recording = Recording::open(path_.string()).value();
+  Stamp last = start;
+  int events = 0;
+  while (const auto event = recording.next()) {
+    const auto* raw = std::get_if<RawEvent>(&*event);
+    const Stamp at = raw != nullptr ? raw->at() : std::get<Understood>(*event).at;
+    EXPECT_GE(at, last);
+    last = at;
+    ++events;
+  }
+  EXPECT_EQ(events, 20);
+  EXPECT_EQ(last, start + std::chrono::seconds{8}) << "without the second in which it was set";
+  EXPECT_THAT(recording.clock_note(), testing::HasSubstr("set back once, by 3599.000 s"));
 }
 
 TEST_F(RecorderTest, AFailedFileCostsMessagesNotTheDrivers) {
