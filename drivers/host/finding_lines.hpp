@@ -11,7 +11,10 @@
 
 namespace drydock::host {
 
-/// One line when a finding begins, and one when it is over.
+/// "nothing was heard or asked for 8.0 s: this program ...".
+std::string stall_line(double for_s);
+
+/// One line when a finding begins, one when it is over, and one for a stall of this computer.
 class FindingLines final : public Follower {
  public:
   using Print = std::function<void(const std::string& line)>;
@@ -21,6 +24,7 @@ class FindingLines final : public Follower {
       : rig_(rig), start_(start), print_(std::move(print)) {}
 
   void on_finding(const diagnosis::Finding& finding) override;
+  void on_stall(Stamp from, Stamp to) override;
   void on_clock_step(std::chrono::nanoseconds step) override { start_ += step; }
 
  private:

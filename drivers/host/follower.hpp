@@ -49,6 +49,9 @@ class Follower : public shell::RawListener, public device::Listener {
   virtual void on_finding(const diagnosis::Finding&) {}
   /// Somebody set the host's clock by `step`: all stamps told so far are of the old time.
   virtual void on_clock_step(std::chrono::nanoseconds /*step*/) {}
+  /// This program or the computer stood still, or the recording has a hole: all lines fell silent,
+  /// and that was no fault of a sensor.
+  virtual void on_stall(Stamp /*from*/, Stamp /*to*/) {}
   virtual void tick(Stamp /*now*/) {}  ///< a few times a second; in virtual time once a second
 };
 
@@ -91,6 +94,9 @@ class Followers final : public Follower {
   }
   void on_clock_step(std::chrono::nanoseconds step) override {
     for (auto* follower : all_) follower->on_clock_step(step);
+  }
+  void on_stall(Stamp from, Stamp to) override {
+    for (auto* follower : all_) follower->on_stall(from, to);
   }
   void tick(Stamp now) override {
     for (auto* follower : all_) follower->tick(now);

@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "drivers/measurement/units.hpp"
 
 namespace drydock::host {
 namespace {
 
 constexpr std::chrono::seconds period{1};
+/// An estimate that is older is not valid: the longest gap of an IMU that its estimators bridge.
+constexpr std::chrono::nanoseconds oldest = std::chrono::milliseconds{500};
 
 bus::DeviceStatus status_of(const std::string& name, const bus::Integrity& integrity) {
   bus::DeviceStatus status{.level = integrity.valid ? bus::Level::ok : bus::Level::warn,
@@ -36,10 +40,30 @@ std::optional<bus::DeviceStatus> IntegrityStatuses::take(const Estimate& estimat
   Told& told = told_.at(estimate.estimator);
   const auto at = estimate.attitude.valid_at;
   const bool valid = estimate.integrity.valid;
+  if (told.estimate) told.pace = at - *told.estimate;
+  told.estimate = at;
+  told.came = now_;
+  told.told_old = {};
   if (valid == told.valid && at - told.at < period && told.at <= at) return {};
   told.at = at;
   told.valid = valid;
   return status_of(told.name, estimate.integrity);
+}
+
+bool IntegrityStatuses::Told::is_too_old(measurement::Stamp now) const {
+  if (!estimate || came == measurement::Stamp{} || now - told_old < period) return false;
+  return now - came > std::max(oldest, 5 * pace / 2);
+}
+
+bus::DeviceStatus IntegrityStatuses::outdated(Told& told) const {
+  told.told_old = now_;
+  told.valid = false;
+  const double age_s = measurement::seconds(now_ - told.came);
+  return {.level = bus::Level::warn,
+          .name = told.name + "/integrity",
+          .message = fmt::format("not valid: no estimate for {:.1f} s", age_s),
+          .hardware_id = told.name,
+          .values = {{"valid", "false"}}};
 }
 
 }  // namespace drydock::host

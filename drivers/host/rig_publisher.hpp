@@ -18,7 +18,10 @@ class RigPublisher final : public Follower {
         findings_(devices),
         integrity_(estimators) {}
 
-  void on_measurement(const measurement::Measurement& m) override { to_.publish(m); }
+  void on_measurement(const measurement::Measurement& m) override {
+    to_.publish(m);
+    look(measurement::origin_of(m).received_at);
+  }
   void on_estimate(const Estimate& estimate) override {
     to_.publish(estimate.attitude, estimate.estimator);
     if (estimate.navigation) to_.publish(*estimate.navigation, estimate.estimator);
@@ -28,10 +31,16 @@ class RigPublisher final : public Follower {
   void on_health(const HealthReport& health, Stamp now) override {
     to_.publish(health.statuses(), now);
     if (!findings_.open().empty()) to_.publish(findings_.open(), now);
+    look(now);
   }
   void on_finding(const diagnosis::Finding& finding) override {
     const auto status = findings_.take(finding);
     to_.publish({&status, 1}, finding.until.value_or(finding.found));
+  }
+
+  /// Says which estimates are too old by now.
+  void look(Stamp now) {
+    integrity_.look(now, [&](const bus::DeviceStatus& status) { to_.publish({&status, 1}, now); });
   }
 
  private:

@@ -168,8 +168,10 @@ std::string RigRecorder::finish() {
   std::string files = path_;
   if (status.files > 1) files += fmt::format(" and {} more", status.files - 1);
   if (status.deleted > 0) files += fmt::format(", the oldest {} deleted", status.deleted);
-  return fmt::format("recording {}: {} messages, {:.1f} MB, {} lost", files, status.messages,
-                     static_cast<double>(status.bytes) / 1e6, status.lost);
+  const auto clock = recorder_.clock_note();
+  return fmt::format("recording {}: {} messages, {:.1f} MB, {} lost{}", files, status.messages,
+                     static_cast<double>(status.bytes) / 1e6, status.lost,
+                     clock.empty() ? "" : "; " + clock);
 }
 
 }  // namespace drydock::host

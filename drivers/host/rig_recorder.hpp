@@ -35,6 +35,7 @@ class RigRecorder final : public Follower {
   }
   void on_measurement(const measurement::Measurement& measurement) override {
     recorder_.topics().publish(measurement);
+    look(measurement::origin_of(measurement).received_at);
   }
   void on_estimate(const Estimate& estimate) override {
     record(estimate, estimate.estimator);
@@ -48,6 +49,7 @@ class RigRecorder final : public Follower {
   void on_health(const HealthReport& health, Stamp now) override {
     recorder_.topics().publish(health.statuses(), now);
     if (!findings_.open().empty()) recorder_.topics().publish(findings_.open(), now);
+    look(now);
   }
   void on_finding(const diagnosis::Finding& finding) override {
     const auto status = findings_.take(finding);
@@ -67,6 +69,12 @@ class RigRecorder final : public Follower {
   RigRecorder(const rig_config::Rig& rig, record::Parts parts, Stamp start,
               record::WhenBehind when_behind);
   void record(const Estimate& estimate, std::size_t index);
+  /// Records which estimates are too old by now.
+  void look(Stamp now) {
+    integrity_.look(now, [&](const bus::DeviceStatus& status) {
+      recorder_.topics().publish({&status, 1}, now);
+    });
+  }
 
   std::string path_;  ///< of a divided recording, its first file
   record::Recorder recorder_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "drivers/diagnosis/judge.hpp"
 #include "drivers/diagnosis/monitors/bus_monitor.hpp"
@@ -50,6 +51,8 @@ std::vector<consistency::Sensor> sensors_of(const rig_config::Rig& rig) {
 
 /// A device that must have said so much by then, and did not, was held up.
 constexpr double due_messages = 2;
+/// Health comes once a second. Where nobody called for so long, this program stood still.
+constexpr std::chrono::milliseconds longest_pause{1500};
 /// An antenna that is so close to the surface is wet now and then.
 constexpr double dry_height_m = 0.3;
 
@@ -65,6 +68,9 @@ class Diagnostician::Bench final : public Follower, private diagnosis::FindingLi
   void on_measurement(const measurement::Measurement& measurement) override;
   void look(Stamp now);
   void end_all(Stamp until) { judge_.end_all(until); }
+  void stand_still(Stamp now) {
+    for (auto& monitor : monitors_) monitor.stand_still(now);
+  }
   const diagnosis::Judge& judge() const { return judge_; }
 
  private:
@@ -159,8 +165,7 @@ void Diagnostician::Bench::notice_stall(std::size_t device, Stamp now) {
     return streamed && line.rate_hz * silent_s > due_messages;
   });
   // Devices on different lines do not fall silent together: the host stood still.
-  if (due > 1)
-    for (auto& monitor : monitors_) monitor.interrupt();
+  if (due > 1) stand_still(now);
   last_ = std::max(last_, now);
   lines_[line_of_[device]].last = now;
 }
@@ -206,10 +211,18 @@ void Diagnostician::follow_clock(Stamp now) {
   }
   if (std::chrono::abs(step) < link::ClockWatch::smallest_step) return;
   all_moved_ += step;
+  called_.reset();
   bench_->end_all(now - step);
   to_.on_clock_step(step);
   bench_ = std::make_unique<Bench>(rig_, to_);
   bench_->watch(devices_);
+}
+void Diagnostician::notice_stall(Stamp now) {
+  const Stamp before = std::exchange(called_, std::max(called_.value_or(now), now)).value_or(now);
+  // Without drivers nobody reports health.
+  if (devices_.empty() || now - before <= longest_pause) return;
+  bench_->stand_still(now);
+  to_.on_stall(before, now);
 }
 void Diagnostician::on_frame(std::string_view link, shell::Direction way,
                              const wire::CanFrame& frame, Stamp at) {
@@ -217,10 +230,12 @@ void Diagnostician::on_frame(std::string_view link, shell::Direction way,
 }
 void Diagnostician::on_measurement(const measurement::Measurement& measurement) {
   follow_clock(measurement::origin_of(measurement).received_at);
+  notice_stall(measurement::origin_of(measurement).received_at);
   bench_->on_measurement(measurement);
 }
 void Diagnostician::look(Stamp now) {
   follow_clock(now);
+  notice_stall(now);
   bench_->look(now);
 }
 const diagnosis::Judge& Diagnostician::judge() const { return bench_->judge(); }

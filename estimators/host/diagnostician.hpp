@@ -32,6 +32,9 @@ class Diagnostician final : public Follower {
   /// health; a caller with a clock may call it more often.
   void look(Stamp now);
 
+  /// Nobody calls before `until`, and that is no stall.
+  void await(Stamp until) { called_ = until; }
+
   const diagnosis::Judge& judge() const;
 
  private:
@@ -40,12 +43,16 @@ class Diagnostician final : public Follower {
   /// Where the host's clock was set, all that the monitors know refers to another time: they begin
   /// anew, and findings end at the old time. The followers are told.
   void follow_clock(Stamp now);
+  /// Somebody calls at least once a second. Where nobody did, this program or the computer stood
+  /// still, or the recording has a hole: that says nothing about a sensor. The followers are told.
+  void notice_stall(Stamp now);
 
   const rig_config::Rig& rig_;
   Follower& to_;
   std::vector<const device::Device*> devices_;
   std::vector<std::chrono::nanoseconds> moved_;  ///< by which each device knows that it was set
   std::chrono::nanoseconds all_moved_{0};
+  std::optional<Stamp> called_;  ///< the last time
   std::unique_ptr<Bench> bench_;
 };
 

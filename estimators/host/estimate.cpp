@@ -92,6 +92,22 @@ class Printer final : public Follower {
   measurement::Stamp next_{};
 };
 
+/// Hears the measurements, and the time several times a second.
+class Hears final : public Follower {
+ public:
+  Hears(Diagnostician& diagnostician, RigPublisher& publisher)
+      : diagnostician_(diagnostician), publisher_(publisher) {}
+  void on_measurement(const measurement::Measurement& measurement) override {
+    diagnostician_.on_measurement(measurement);
+    publisher_.look(measurement::origin_of(measurement).received_at);
+  }
+  void tick(Stamp now) override { publisher_.look(now); }
+
+ private:
+  Diagnostician& diagnostician_;
+  RigPublisher& publisher_;
+};
+
 void print_on_stderr(const std::string& line) { fmt::print(stderr, "{}\n", line); }
 
 }  // namespace
@@ -110,7 +126,8 @@ int estimate(const rig_config::Rig& rig, const EstimateOptions& options) {
   Diagnostician diagnostician(rig, findings);
   const setup::Outside outside{.lockstep = false, .say = print_on_stderr};
   EstimatorHost host(io, setup::pipeline_options(rig, &outside), subscriber, followers);
-  host.tell_measurements(diagnostician);
+  Hears hears(diagnostician, publisher);
+  host.tell_measurements(hears);
 
   io::UntilStopped until(io, options.duration_s, [&] { host.stop(); });
   host.start();

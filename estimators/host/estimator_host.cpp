@@ -31,8 +31,7 @@ EstimatorHost::~EstimatorHost() { readable_.release(); }  // the subscriber owns
 
 void EstimatorHost::start() {
   wait_for_measurements();
-  // Without a window no measurement waits in the pipeline, so no timer is needed.
-  if (window_ > std::chrono::nanoseconds{0}) wait_for_window();
+  wait_for_window();
 }
 
 void EstimatorHost::stop() {
@@ -54,10 +53,14 @@ void EstimatorHost::wait_for_measurements() {
 }
 
 void EstimatorHost::wait_for_window() {
-  window_timer_.expires_after(std::max(window_ / 2, std::chrono::nanoseconds{10'000'000}));
+  const std::chrono::nanoseconds half =
+      window_ > std::chrono::nanoseconds{0} ? window_ / 2 : std::chrono::milliseconds{250};
+  window_timer_.expires_after(std::max(half, std::chrono::nanoseconds{10'000'000}));
   window_timer_.async_wait([this](const boost::system::error_code& ec) {
     if (ec || stopped_) return;
-    pipeline_.advance(link::now());
+    // Without a window no measurement waits in the pipeline.
+    if (window_ > std::chrono::nanoseconds{0}) pipeline_.advance(link::now());
+    if (hears_ != nullptr) hears_->tick(link::now());
     wait_for_window();
   });
 }

@@ -23,7 +23,7 @@ class EstimatorHost final {
   EstimatorHost& operator=(const EstimatorHost&) = delete;
 
   /// Tells this follower, which must outlive the host, the measurements before the estimators get
-  /// them.
+  /// them, and the time a few times a second.
   void tell_measurements(Follower& to) { hears_ = &to; }
 
   void start();

@@ -86,6 +86,12 @@ void AugmentedLevelingFilter::widen_gyro_bias() {
   }
 }
 
+void AugmentedLevelingFilter::let_biases_wander(double dt) {
+  if (options_.gyro_bias_walk_radps == 0 && options_.accelerometer_bias_walk_mps2 == 0) return;
+  loosen_biases(options_.gyro_bias_walk_radps * std::sqrt(dt),
+                options_.accelerometer_bias_walk_mps2 * std::sqrt(dt));
+}
+
 void AugmentedLevelingFilter::loosen(double velocity_sigma_mps, double angle_sigma_rad) {
   p_.diagonal().head<3>().array() += squared(velocity_sigma_mps);
   p_.diagonal().segment<3>(alpha_at).array() += squared(angle_sigma_rad);
@@ -126,7 +132,9 @@ void AugmentedLevelingFilter::predict(const Vector3d& specific_force, const Vect
   p_.topRightCorner<6, 7>() = carried;
   p_.bottomLeftCorner<7, 6>() = carried.transpose();
   p_.diagonal().head<3>().array() += squared(options_.velocity_noise) * dt;
-  p_.diagonal().segment<3>(alpha_at).array() += squared(options_.alpha_noise) * dt;
+  p_.diagonal().segment<3>(alpha_at).array() +=
+      (squared(options_.alpha_noise) + turn_noise(options_, rate)) * dt;
+  let_biases_wander(dt);
   // Eq. (A9): this part of the bias is fixed to the Earth, so it rotates in the body.
   p_.diagonal().segment<3>(gyro_at).array() +=
       opened + earth_rate_.variance() * std::abs(turn_) * dt;

@@ -81,6 +81,7 @@ class AugmentedLevelingFilter {
  private:
   void start_motion(const FirstAlpha& first, double turn_radps, double speed_mps);
   void widen_gyro_bias();
+  void let_biases_wander(double dt);
   void begin_update() { innovation_ = {}; }
   void update(double residual, const State& row, double variance);
   void update_norm();

@@ -71,6 +71,11 @@ double carried_heading(double heading, const Vector3d& alpha, const Vector3d& ra
   return frame::wrap_pi(heading + rate * dt);
 }
 
+double turn_noise(const LevelingOptions& options, const Vector3d& rate) {
+  // The error of the rate is fixed to the body while it turns by a radian, in 1/rate.
+  return 2 * options.rate_share * options.rate_share * rate.norm();
+}
+
 Nonholonomic::Nonholonomic(const LevelingOptions& options, double turn, double dt) {
   const auto squared = [](double x) { return x * x; };
   if (const auto& density = options.transverse_speed_density)

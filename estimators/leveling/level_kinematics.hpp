@@ -46,6 +46,9 @@ struct Transition {
 double carried_heading(double heading_rad, const Eigen::Vector3d& alpha,
                        const Eigen::Vector3d& rate_nb, double dt);
 
+/// Q of alpha, 1/s, by the scale factors and misalignments of gyros that turn at this rate: (A12).
+double turn_noise(const LevelingOptions& options, const Eigen::Vector3d& rate);
+
 /// Variances of the measurements V_y = 0 and V_z = 0 over dt at this rate of turn, eq. (A5). An
 /// empty variance means that the constraint is not used.
 struct Nonholonomic {

@@ -83,7 +83,7 @@ void LevelingFilter::predict(const Vector3d& specific_force, const Vector3d& ang
 
   p_ = transition.step * p_ * transition.step.transpose();
   p_.diagonal().head<3>().array() += std::pow(options_.velocity_noise, 2) * dt;
-  p_.diagonal().tail<3>().array() += alpha_variance_ * dt;
+  p_.diagonal().tail<3>().array() += (alpha_variance_ + turn_noise(options_, rate_nb)) * dt;
   p_ = (0.5 * (p_ + p_.transpose())).eval();
 }
 

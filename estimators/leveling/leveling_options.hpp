@@ -60,6 +60,9 @@ struct LevelingOptions {
   double accelerometer_bias_sigma_mps2 = units::milli_g;  ///< 1 mg
   double gyro_bias_sigma_radps = units::degree_per_hour;  ///< 1 deg/h
   double speed_bias_sigma_mps = 0.1;
+  /// Random walks of the biases, per sqrt(s), for FilterKind::augmented only.
+  double gyro_bias_walk_radps = 0, accelerometer_bias_walk_mps2 = 0;
+  double rate_share = 0;  ///< error of a rate by scale factor and misalignment, as its share
 };
 
 /// The options of this kind of filter. The caller sets latitude, heading and attitude.

@@ -48,6 +48,7 @@ struct EstimatorStatus {
   std::uint64_t wild = 0;              ///< IMU samples that no vehicle can cause, not used
   std::uint64_t steps = 0;             ///< steps of the IMU that no vehicle can make
   std::uint64_t valid_estimates = 0;   ///< of `estimates`
+  std::uint64_t missing = 0;           ///< that did not come, while it had nothing to go on
   bool valid = false;                  ///< the last estimate; false before the first
   measurement::Stamp last_estimate{};  ///< valid_at
   measurement::Stamp last_speed{};     ///< valid_at
@@ -58,6 +59,16 @@ struct EstimatorStatus {
   std::chrono::nanoseconds longest_silence{0};  ///< between two estimates, beyond the IMU's
   std::optional<measurement::Stamp> lost_at;    ///< valid_at of the last used IMU sample
 };
+
+/// The share of valid ones among the estimates from `before` to `now`; those that did not come are
+/// not valid. Empty: there was none to come.
+inline std::optional<double> valid_share(const EstimatorStatus& before,
+                                         const EstimatorStatus& now) {
+  const auto all = now.estimates + now.missing - before.estimates - before.missing;
+  if (all == 0) return {};
+  return static_cast<double>(now.valid_estimates - before.valid_estimates) /
+         static_cast<double>(all);
+}
 
 /// One estimator in the pipeline. Measurements arrive in the order of valid_at as far as the
 /// reorder window allows. The estimator decides on measurements that are older than its own time.

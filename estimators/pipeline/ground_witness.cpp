@@ -26,14 +26,15 @@ constexpr double fresh_s = 1.2, longest_silence_s = 3;
 constexpr double rate_bias_radps = 4.8e-5, force_bias_mps2 = 0.1;
 constexpr double rate_walk = 1e-6, force_walk = 1e-4;  // rad/s and m/s2, per sqrt(s)
 
-leveling::LevelingOptions options_of(const leveling::LevelingOptions& of_estimator) {
+leveling::LevelingOptions options_of(const leveling::LevelingOptions& of_estimator,
+                                     const leveling::ImuGrade& imu) {
   auto options = leveling::options_for(leveling::FilterKind::augmented);
   options.latitude_rad = of_estimator.latitude_rad;
   options.height_m = of_estimator.height_m;
   options.heading_rad = of_estimator.heading_rad;
   options.gyro_bias_sigma_radps = rate_bias_radps;
   options.accelerometer_bias_sigma_mps2 = force_bias_mps2;
-  return options;
+  return leveling::worsened(options, leveling::FilterKind::augmented, imu);
 }
 
 constexpr double squared(double x) { return x * x; }
@@ -44,8 +45,9 @@ constexpr double mean_limit = 4.5;
 
 }  // namespace
 
-GroundWitness::GroundWitness(const AidingSensor& dvl, const leveling::LevelingOptions& options)
-    : dvl_(dvl), filter_(options_of(options)) {}
+GroundWitness::GroundWitness(const AidingSensor& dvl, const leveling::LevelingOptions& options,
+                             const leveling::ImuGrade& imu)
+    : dvl_(dvl), filter_(options_of(options, imu)) {}
 
 void GroundWitness::start(const measurement::ImuSample& sample, double rate_sigma,
                           double force_sigma) {

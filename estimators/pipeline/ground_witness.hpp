@@ -4,6 +4,7 @@
 
 #include "drivers/measurement/measurement.hpp"
 #include "estimators/leveling/augmented_leveling_filter.hpp"
+#include "estimators/leveling/imu_grade.hpp"
 #include "estimators/navigation/constraint_mean.hpp"
 #include "estimators/navigation/innovation_window.hpp"
 #include "estimators/pipeline/aiding_sensor.hpp"
@@ -17,8 +18,10 @@ namespace drydock::pipeline {
 /// "The witness" of docs/estimators/integrity.md. Allocates nothing, throws nothing.
 class GroundWitness {
  public:
-  /// `lever`: from the IMU to the DVL. `options`: latitude and heading count.
-  GroundWitness(const AidingSensor& dvl, const leveling::LevelingOptions& options);
+  /// `lever`: from the IMU to the DVL. `options`: latitude and heading count. `imu`: how well the
+  /// IMU measures.
+  GroundWitness(const AidingSensor& dvl, const leveling::LevelingOptions& options,
+                const leveling::ImuGrade& imu);
 
   std::uint16_t device() const { return dvl_.device; }
 

@@ -18,7 +18,7 @@ double bias_variance_of(const LevelingOptions& options) {
 
 std::optional<GroundWitness> witness_of(const LevelingOptions& options) {
   if (!options.ground) return {};
-  return GroundWitness(*options.ground, options.filter);
+  return GroundWitness(*options.ground, options.filter, options.imu);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "estimators/leveling/imu_grade.hpp"
 #include "estimators/leveling/leveling_filter.hpp"
 #include "estimators/pipeline/aiding_sensor.hpp"
 #include "estimators/pipeline/maker.hpp"
@@ -13,6 +14,7 @@ struct LevelingOptions {
   bool stationary = false;             ///< all velocities are zero; the log is not used
   leveling::FilterKind kind = leveling::FilterKind::robust;
   leveling::LevelingOptions filter;
+  leveling::ImuGrade imu;  ///< for the DVL's watch; `filter` has it already
 };
 
 std::string fault_of(const LevelingOptions& options);

@@ -10,8 +10,10 @@ namespace {
 
 std::optional<GroundWitness> witness_of(const MixingOptions& options) {
   if (!options.ground) return {};
-  return GroundWitness(*options.ground, {.latitude_rad = options.filter.latitude_rad,
-                                         .heading_rad = options.filter.heading_rad});
+  return GroundWitness(
+      *options.ground,
+      {.latitude_rad = options.filter.latitude_rad, .heading_rad = options.filter.heading_rad},
+      options.imu);
 }
 
 }  // namespace

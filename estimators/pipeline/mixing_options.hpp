@@ -1,5 +1,6 @@
 #pragma once
 
+#include "estimators/leveling/imu_grade.hpp"
 #include "estimators/mixing/mixing_accuracy.hpp"
 #include "estimators/mixing/mixing_filter.hpp"
 #include "estimators/pipeline/aiding_sensor.hpp"
@@ -13,6 +14,7 @@ struct MixingOptions {
   std::optional<AidingSensor> ground;  ///< a DVL that watches the IMU, lever from the IMU
   mixing::MixingOptions filter;
   mixing::SensorAccuracy sensors;
+  leveling::ImuGrade imu;  ///< for the DVL's watch
 };
 
 std::string fault_of(const MixingOptions& options);

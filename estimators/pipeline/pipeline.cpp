@@ -16,6 +16,7 @@ Pipeline::Pipeline(const PipelineOptions& options, EstimateListener& listener,
       max_gap_(options.max_imu_gap),
       listener_(&listener),
       estimators_(std::move(estimators)),
+      missing_(estimators_.size(), MissingEstimates(window_ + max_gap_)),
       buffer_(options.reorder_capacity) {}
 
 void Pipeline::receive(const Measurement& measurement) {
@@ -32,24 +33,38 @@ void Pipeline::receive(const Measurement& measurement) {
 }
 
 void Pipeline::advance(Stamp now) {
+  latest_ = now;
   newest_ = std::max(newest_, now);
   release();
   for (const auto& estimator : estimators_) estimator->advance(newest_ - window_, *listener_);
+  note_missing();
 }
 
 void Pipeline::flush() {
   while (!buffer_.empty()) run(buffer_.pop());
   for (const auto& estimator : estimators_) estimator->finish(*listener_);
+  note_missing();
+}
+
+EstimatorStatus Pipeline::status(std::size_t estimator) const {
+  EstimatorStatus status = estimators_[estimator]->status();
+  status.missing = missing_[estimator].count(latest_, status);
+  return status;
+}
+
+void Pipeline::note_missing() {
+  for (std::size_t i = 0; i < estimators_.size(); ++i) missing_[i].note(estimators_[i]->status());
 }
 
 void Pipeline::order(const Sample& sample) {
+  const Stamp at = latest_ = origin_of(sample).valid_at;
   if (window_ == std::chrono::nanoseconds::zero()) return run(sample);
   if (buffer_.full()) {
     ++overflows_;
     run(buffer_.pop());
   }
   buffer_.push(sample);
-  newest_ = std::max(newest_, origin_of(sample).valid_at);
+  newest_ = std::max(newest_, at);
   release();
 }
 
@@ -68,6 +83,7 @@ void Pipeline::run(const Sample& sample) {
         }
       },
       sample);
+  note_missing();
   count(origin_of(sample).device, best);
 }
 

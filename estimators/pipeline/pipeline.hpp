@@ -9,6 +9,7 @@
 #include "drivers/measurement/measurement.hpp"
 #include "estimators/pipeline/estimator.hpp"
 #include "estimators/pipeline/listener.hpp"
+#include "estimators/pipeline/missing_estimates.hpp"
 #include "estimators/pipeline/options.hpp"
 #include "estimators/pipeline/reorder_buffer.hpp"
 
@@ -61,14 +62,13 @@ class Pipeline {
   std::size_t estimators() const { return estimators_.size(); }
   /// Of an estimator in another program; null for all others.
   const PeerAccount* peer(std::size_t estimator) const { return estimators_[estimator]->peer(); }
-  const EstimatorStatus& status(std::size_t estimator) const {
-    return estimators_[estimator]->status();
-  }
+  EstimatorStatus status(std::size_t estimator) const;
 
  private:
   void order(const Sample& sample);
   void release();
   void run(const Sample& sample);
+  void note_missing();
   void count(std::uint16_t device, Outcome outcome);
   DeviceCounters& of(std::uint16_t device);
   bool is_left_out(const measurement::Origin& origin) const;
@@ -82,8 +82,10 @@ class Pipeline {
   std::chrono::nanoseconds window_, max_gap_;
   EstimateListener* listener_;
   std::vector<std::unique_ptr<Estimator>> estimators_;
+  std::vector<MissingEstimates> missing_;  ///< by estimator
   ReorderBuffer buffer_;
   measurement::Stamp newest_ = measurement::Stamp::min();
+  measurement::Stamp latest_{};  ///< as newest_, but a clock may set it back
   std::vector<DeviceCounters> counters_;
   std::vector<LeftOut> left_out_;  ///< by device; those never left out may be missing at the end
   std::uint64_t overflows_ = 0;

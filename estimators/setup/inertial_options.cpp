@@ -5,6 +5,7 @@
 #include "drivers/measurement/water_column.hpp"
 #include "estimators/frame/attitude.hpp"
 #include "estimators/setup/options_of.hpp"
+#include "estimators/setup/sensor_grade.hpp"
 #include "estimators/vehicle/vehicle.hpp"
 
 namespace drydock::setup {
@@ -17,13 +18,6 @@ std::optional<pipeline::AidingSensor> aiding(const rig_config::Rig& rig, const s
   const auto* device = find_device(rig, name);
   if (!device) return {};
   return pipeline::AidingSensor{index_of(rig, name).value(), Vector3d{device->lever_arm_m.data()}};
-}
-
-double worst(const rig_config::Axes& axes) { return *std::ranges::max_element(axes); }
-
-/// White noise as a density. Adds the noise per sample and the noise density.
-double density(const SensorErrors& errors, double period_s) {
-  return std::hypot(worst(errors.noise) * std::sqrt(period_s), worst(errors.noise_density));
 }
 
 /// Standard deviation of one sample: white noise and quantisation.

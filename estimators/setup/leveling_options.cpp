@@ -1,4 +1,5 @@
 #include "estimators/setup/options_of.hpp"
+#include "estimators/setup/sensor_grade.hpp"
 
 namespace drydock::setup {
 namespace {
@@ -19,9 +20,11 @@ pipeline::LevelingOptions options_of(const rig_config::LevelingConfig& config,
   pipeline::LevelingOptions options;
   options.log = index_of(place.rig, config.log);
   options.ground = witness_of(place);
+  options.imu = imu_grade(place);
   options.stationary = config.stationary;
   options.kind = filter_kind(config.filter);
-  options.filter = leveling::options_for(options.kind);
+  options.filter =
+      leveling::worsened(leveling::options_for(options.kind), options.kind, options.imu);
   options.filter.latitude_rad = config.start.latitude_rad;
   options.filter.heading_rad = config.start.heading_rad;
   options.filter.accelerometer_start = config.start.accelerometer;

@@ -1,6 +1,7 @@
 #include <array>
 
 #include "estimators/setup/options_of.hpp"
+#include "estimators/setup/sensor_grade.hpp"
 
 namespace drydock::setup {
 
@@ -11,6 +12,7 @@ pipeline::MixingOptions options_of(const rig_config::MixingConfig& config,
   pipeline::MixingOptions options;
   options.log = index_of(place.rig, config.log);
   options.ground = witness_of(place);
+  options.imu = imu_grade(place);
   options.filter.type = types.at(static_cast<std::size_t>(config.type));
   options.filter.latitude_rad = config.start.latitude_rad;
   options.filter.heading_rad = config.start.heading_rad;

@@ -39,7 +39,7 @@ std::vector<std::string> pipeline_notes(const rig_config::Rig& rig,
                                 rig.devices[i].name, c.received, c.late, c.refused));
   }
   for (std::size_t i = 0; i < std::min(pipeline.estimators(), rig.estimators.size()); ++i) {
-    const auto& status = pipeline.status(i);
+    const auto status = pipeline.status(i);
     if (std::holds_alternative<rig_config::ExternalConfig>(rig.estimators[i].kind) &&
         pipeline.peer(i) == nullptr)
       notes.push_back(

@@ -77,15 +77,13 @@ void Contender::on_estimate(const host::Estimate& estimate) {
 Entry Contender::entry() const {
   summary::Summary made;
   scribe_.write(made);
-  const auto& status = pipeline_.status(0);
+  const auto status = pipeline_.status(0);
   Entry entry;
   entry.choice = choice_;
   entry.summary = made.estimators.front();
   entry.summary.rejected = status.rejected;
   entry.summary.nis = status.taken.mean();
-  if (status.estimates > 0)
-    entry.summary.valid_share =
-        static_cast<double>(status.valid_estimates) / static_cast<double>(status.estimates);
+  entry.summary.valid_share = pipeline::valid_share({}, status);
   if (const auto* peer = pipeline_.peer(0)) entry.summary.program = *peer;
   entry.used = used_of(pipeline_);
   entry.cpu_s = stopwatch_.total_s();

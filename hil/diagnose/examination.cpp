@@ -1,8 +1,11 @@
 #include "hil/diagnose/examination.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "drivers/diagnosis/judge.hpp"
+#include "drivers/host/finding_lines.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "hil/summary/findings.hpp"
 
@@ -29,7 +32,12 @@ bool is_of_times(const diagnosis::FindingAccount& finding) {
 }  // namespace
 
 Examination::Examination(const rig_config::Rig& rig, measurement::Stamp start, double expected_s)
-    : rig_(rig), start_(start), scribe_(rig, nullptr, start, expected_s) {}
+    : rig_(rig), start_(start), scribe_(rig, nullptr, start, expected_s), stalls_(start) {}
+
+void Examination::Stalls::on_stall(Stamp from, Stamp to) {
+  notes.push_back(fmt::format("at {:.1f} s {}", measurement::seconds(from - start),
+                              host::stall_line(measurement::seconds(to - from))));
+}
 
 void Examination::follow(host::Followers& followers, std::vector<const device::Device*> devices) {
   devices_ = std::move(devices);
@@ -39,12 +47,14 @@ void Examination::follow(host::Followers& followers, std::vector<const device::D
   followers.add(findings_);
   followers.add(scribe_);
   followers.add(head_depths_);
+  followers.add(stalls_);
 }
 
 Outcome Examination::result(const std::string& source, measurement::Stamp end, bool live,
                             bool has_times) const {
   Outcome outcome;
   outcome.source = source;
+  outcome.notes = stalls_.notes;
   outcome.circumstances = {measurement::seconds(end - start_ - findings_.stepped()), live,
                            has_times};
   for (const auto device : head_depths_.changed)

@@ -20,6 +20,7 @@ class Examination {
   /// Adds the examination to followers of others; they then hear the findings too.
   void follow(host::Followers& followers, std::vector<const device::Device*> devices);
   void look(measurement::Stamp now) { diagnostician_->look(now); }
+  void await(measurement::Stamp until) { diagnostician_->await(until); }
 
   /// Call it at the end, before the links are closed.
   Outcome result(const std::string& source, measurement::Stamp end, bool live,
@@ -38,6 +39,14 @@ class Examination {
     std::set<std::uint16_t> changed;
   };
 
+  struct Stalls final : host::Follower {
+    explicit Stalls(Stamp from) : start(from) {}
+    void on_stall(Stamp from, Stamp to) override;
+    void on_clock_step(std::chrono::nanoseconds step) override { start += step; }
+    Stamp start;
+    std::vector<std::string> notes;
+  };
+
   const rig_config::Rig& rig_;
   measurement::Stamp start_;
   std::vector<const device::Device*> devices_;
@@ -45,6 +54,7 @@ class Examination {
   host::FindingLog findings_;
   summary::Scribe scribe_;
   HeadDepths head_depths_;
+  Stalls stalls_;
 };
 
 }  // namespace drydock::diagnose

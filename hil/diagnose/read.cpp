@@ -42,6 +42,7 @@ class CaptureBench final : public device::Listener, public device::Transmitter {
     clock_.run_until(clock_.now());
     examination_.look(clock_.now());
     while (const auto due = next()) {
+      examination_.await(*due);
       clock_.run_until(*due);
       examination_.look(clock_.now());
     }
@@ -117,7 +118,7 @@ Outcome read_capture(const std::string& path, unsigned baud) {
                       : devices.front()->on_bus() ? files.front().clock.first
                                                   : Stamp{};  // bytes begin at zero
   auto outcome = CaptureBench(rig, std::move(devices), files, start).play(path, has_times);
-  outcome.notes = report.recording;
+  outcome.notes.insert(outcome.notes.end(), report.recording.begin(), report.recording.end());
   for (const auto& device : outcome.devices)
     if (device.refused > 0)
       outcome.notes.push_back(fmt::format("{}: its driver left out {} value{}; it says: {}",
@@ -149,6 +150,7 @@ Outcome read_recording(const std::string& path) {
   bench.play(pace, [](double) { return true; });
   auto outcome = examination.result(path, bench.start() + bench.played(), false);
   if (!rig.trouble().empty()) outcome.notes.push_back(rig.trouble());
+  if (auto note = recording->clock_note(); !note.empty()) outcome.notes.push_back(std::move(note));
   return outcome;
 }
 

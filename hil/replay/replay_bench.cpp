@@ -12,7 +12,10 @@ namespace drydock::replay {
 namespace {
 
 constexpr std::chrono::seconds health_period{1};  // as in a run
-constexpr std::string_view faults_topic = "/drydock/faults";
+constexpr std::string_view faults_topic = "/drydock/faults", health_topic = "/diagnostics";
+/// Nothing at all for so long is a hole of a recording whose links spoke lately.
+constexpr std::chrono::milliseconds shortest_hole{2500};
+constexpr std::chrono::seconds lately{10};
 
 pipeline::Pipeline pipeline_of(const rig_config::Rig& rig, const setup::Outside* outside,
                                pipeline::EstimateListener& listener) {
@@ -73,6 +76,8 @@ void ReplayBench::play(Pace& pace, const record::Watch& watch) {
     const Stamp at = time_of(*event);
     if (!part_.holds(at, begin)) continue;
     last = std::max(last, at);
+    skip_hole(at);
+    note_heard(*event, at);
     if (const auto* raw = std::get_if<record::RawEvent>(&*event)) {
       if (!part_.takes(recording_.links()[raw->link])) continue;
       if (!wait_until(at, pace)) break;
@@ -89,6 +94,26 @@ void ReplayBench::play(Pace& pace, const record::Watch& watch) {
   if (outlets_.at_end) outlets_.at_end();
   gate_.stopping = true;
   player_->finish(player_->now());
+}
+
+void ReplayBench::note_heard(const record::Event& event, Stamp at) {
+  heard_ = at;
+  if (const auto* raw = std::get_if<record::RawEvent>(&event)) {
+    if (heard_of_link_.size() <= raw->link) heard_of_link_.resize(raw->link + 1U);
+    heard_of_link_[raw->link] = at;
+  } else {
+    has_health_ |= std::get<record::Understood>(event).channel->topic == health_topic;
+  }
+}
+
+/// Where a recording has nothing at all, its recorder stood still: the run told its health once a
+/// second, and links do not fall silent together. Nobody tells health then.
+void ReplayBench::skip_hole(Stamp at) {
+  if (!heard_ || at - *heard_ < shortest_hole || at <= next_health_) return;
+  const auto talked =
+      std::ranges::count_if(heard_of_link_, [this](Stamp last) { return *heard_ - last < lately; });
+  if (!has_health_ && talked < 2) return;
+  next_health_ += ((at - next_health_) / health_period + 1) * health_period;
 }
 
 std::vector<const device::Device*> ReplayBench::devices() const {

@@ -59,6 +59,8 @@ class ReplayBench {
   void hear(const record::Understood& message);
   void hear(const record::RawEvent& event);
   void tell_health();
+  void skip_hole(Stamp at);
+  void note_heard(const record::Event& event, Stamp at);
 
   /// Counts results and passes them on until the replay ends.
   class Gate final : public host::Follower {
@@ -91,6 +93,9 @@ class ReplayBench {
   host::EstimateTeller teller_;
   pipeline::Pipeline pipeline_;
   Stamp start_, next_health_;
+  std::optional<Stamp> heard_;        ///< the last message of the recording, of any kind
+  std::vector<Stamp> heard_of_link_;  ///< by link; those after the last heard are missing
+  bool has_health_ = false;           ///< the recording has the health that its run told
   std::unique_ptr<record::Player> player_;
   std::unique_ptr<ReplayFaults> faults_;
   TruthErrors errors_;

@@ -39,15 +39,6 @@ std::vector<diagnosis::FindingAccount> findings_in(const rig_config::ExpectConfi
   return found;
 }
 
-/// Of the estimates from `before` to `now`.
-std::optional<double> valid_share(const pipeline::EstimatorStatus& before,
-                                  const pipeline::EstimatorStatus& now) {
-  const auto all = now.estimates - before.estimates;
-  if (all == 0) return {};
-  return static_cast<double>(now.valid_estimates - before.valid_estimates) /
-         static_cast<double>(all);
-}
-
 }  // namespace
 
 ExpectWatch::ExpectWatch(const rig_config::Rig& rig, const motion::Trajectory* truth,
@@ -134,7 +125,7 @@ Outcome ExpectWatch::of_estimator(const Window& w, const Summary& summary,
     const auto& now = at_end[i];
     seen.estimates = w.estimates;
     seen.rejected = now.rejected - w.estimator_before.rejected;
-    seen.valid_share = valid_share(w.estimator_before, now);
+    seen.valid_share = pipeline::valid_share(w.estimator_before, now);
     seen.nis = (now.taken - w.estimator_before.taken).mean();
     seen.rate_hz = w.rate.hz();
     seen.whole_run.reset();
@@ -150,7 +141,7 @@ void ExpectWatch::write(Summary& summary,
                         const std::vector<pipeline::EstimatorStatus>& at_end) const {
   for (std::size_t i = 0; i < summary.estimators.size(); ++i) {
     summary.estimators[i].rejected = at_end[i].rejected;
-    summary.estimators[i].valid_share = valid_share({}, at_end[i]);
+    summary.estimators[i].valid_share = pipeline::valid_share({}, at_end[i]);
     summary.estimators[i].nis = at_end[i].taken.mean();
   }
   for (const Window& w : windows_) {

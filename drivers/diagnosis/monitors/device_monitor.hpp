@@ -31,10 +31,15 @@ class DeviceMonitor {
     times_.look(now);
     values_.look(now);
   }
-  /// The whole host stood still, or the device was away: the next intervals mean nothing.
+  /// The device was away: the next intervals mean nothing.
   void interrupt() {
     times_.interrupt();
     values_.interrupt();
+  }
+  /// This program stood still until `now`.
+  void stand_still(Stamp now) {
+    interrupt();
+    line_.interrupt(now);
   }
   void set_under_water(bool under, Stamp now) { values_.set_under_water(under, now); }
 

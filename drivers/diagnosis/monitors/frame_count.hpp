@@ -24,6 +24,7 @@ class FrameCount {
   std::optional<double> add(std::uint64_t frames, Stamp now) {
     if (!first_) start(frames, now);
     if (now - second_at_ < std::chrono::seconds{1}) return {};
+    if (now - second_at_ > longest_step) begin_window(frames);
     second_at_ = now;
     std::rotate(counts_.begin(), counts_.begin() + 1, counts_.end());
     counts_.back() = frames;
@@ -49,8 +50,15 @@ class FrameCount {
  private:
   void start(std::uint64_t frames, Stamp now) {
     first_ = second_at_ = now;
-    counts_.fill(frames);
+    begin_window(frames);
   }
+  void begin_window(std::uint64_t frames) {
+    counts_.fill(frames);
+    held_.fill(0);
+    seconds_ = 0;
+  }
+  /// Where nobody looked for longer, the counts of a second are not known.
+  static constexpr std::chrono::milliseconds longest_step{2500};
 
   std::optional<Stamp> first_;
   Stamp second_at_{};

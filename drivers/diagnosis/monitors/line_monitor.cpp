@@ -27,6 +27,9 @@ constexpr std::chrono::seconds comes_back{10};
 constexpr double most_rate_error = 0.3;
 constexpr std::chrono::seconds rate_settles{20};
 
+/// After this program stood still, the host's buffers give what they kept, or the end of it.
+constexpr std::chrono::seconds catches_up{2};
+
 /// A serial line that carries a larger share of what it can has no pauses.
 constexpr double fullest_free = 0.95;
 
@@ -44,12 +47,18 @@ void LineMonitor::look(const Vitals& vitals, Stamp now) {
   if (!looked_) last_frame_ = now;
   look_at_bytes(vitals, now);
   if (looked_) {
-    look_at_counters(vitals, now);
+    if (now >= catches_up_until_) look_at_counters(vitals, now);
     look_at_reports(vitals, now);
     look_at_rate(vitals, now);
   }
   last_ = vitals;
   looked_ = true;
+}
+
+void LineMonitor::interrupt(Stamp now) {
+  if (last_.state != State::streaming) return;
+  catches_up_until_ = now + std::max<std::chrono::nanoseconds>(expected_.stale_after, catches_up);
+  last_frame_ = now;
 }
 
 void LineMonitor::look_at_state(const Vitals& vitals, Stamp now) {
@@ -67,7 +76,8 @@ void LineMonitor::look_at_state(const Vitals& vitals, Stamp now) {
 
 /// The driver of a silent device opens the link again. That is no end of the silence, and no loss.
 bool LineMonitor::is_silent(const Vitals& vitals, Stamp now) const {
-  if (!vitals.link_up_since || vitals.state == State::streaming) return false;
+  if (!vitals.link_up_since || vitals.state == State::streaming || now < catches_up_until_)
+    return false;
   // Damaged frames are no silence.
   if (damaged_at_ && now - *damaged_at_ < expected_.stale_after) return false;
   const bool has_spoken =
@@ -141,7 +151,7 @@ void LineMonitor::look_at_reports(const Vitals& vitals, Stamp now) {
   }
   if (now < refused_until_)
     teller_.tell(Sign::refuses, refused_since_, now, {1, 0, "refused settings", ""});
-  const bool was_silent = silent_at_ && now - *silent_at_ < comes_back;
+  const bool was_silent = now < catches_up_until_ || (silent_at_ && now - *silent_at_ < comes_back);
   if (news && !was_silent && device::tells_error(vitals.last_error.view())) {
     if (now >= error_until_) error_since_ = now;
     error_until_ = now + error_lasts;

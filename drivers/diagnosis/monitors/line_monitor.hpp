@@ -18,6 +18,9 @@ class LineMonitor {
   LineMonitor(const Expected& expected, SymptomSink& to);
 
   void look(const device::Vitals& vitals, Stamp now);
+  /// This program stood still until `now`: what its driver missed in that time is no fault of a
+  /// device that streamed before.
+  void interrupt(Stamp now);
 
  private:
   void look_at_state(const device::Vitals& vitals, Stamp now);
@@ -40,6 +43,7 @@ class LineMonitor {
   Stamp refused_since_{}, refused_until_{};
   Stamp error_since_{}, error_until_{};
   std::optional<Stamp> silent_at_, damaged_at_;
+  Stamp catches_up_until_{};  ///< after this program stood still
   std::optional<Stamp> off_rate_since_;
   std::uint64_t bytes_when_off_rate_ = 0;
   bool had_its_rate_ = false;

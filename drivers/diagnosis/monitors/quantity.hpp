@@ -31,6 +31,7 @@ struct QuantityFacts {
   double bend = 0;   ///< largest second derivative of a usual motion, unit/s2
   double slope = 0;  ///< largest first derivative; 0: any (a step is then no sign)
   bool angle = false;
+  double tremble = 0;  ///< as `bend`, of a motion that turns twice in four samples; 0: any
 };
 const QuantityFacts& facts_of(Quantity quantity);
 

@@ -58,6 +58,10 @@ void QuantityMonitor::learn(double bend, Stamp at, double period_s) {
                       (bends_.quantile(0.95) + half_step) / q95_of_normal);
   sigma_ =
       std::max(scatter_, facts_of(quantity_).bend * usual_period_s_ * usual_period_s_ / beyond);
+  trembling_ = facts_of(quantity_).tremble == 0
+                   ? std::numeric_limits<double>::infinity()
+                   : std::max(scatter_, facts_of(quantity_).tremble * usual_period_s_ *
+                                            usual_period_s_ / beyond);
   // White noise turns at two of three samples, a smooth motion hardly ever.
   constexpr double turning = 0.35;
   constexpr unsigned fewest_moves = 15;
@@ -95,6 +99,11 @@ QuantityMonitor::News QuantityMonitor::judge(double period_s, Stamp at) {
   return news;
 }
 
+double QuantityMonitor::usual_change() const {
+  // Three deviations of second differences are five of the change of white noise.
+  return beyond * sigma_ + 2 * std::abs(rate_) * usual_period_s_;
+}
+
 void QuantityMonitor::judge_noise(double bend, Stamp at) {
   if (!noise_shows_) return;
   // What no motion makes is no noise either: wild samples in a row, steps.
@@ -102,9 +111,12 @@ void QuantityMonitor::judge_noise(double bend, Stamp at) {
     return;
   // A motion that begins bends one way for some samples. Noise does not: the second differences of
   // white noise have the correlation -2/3.
-  const bool turned = bend * last_bend_ < 0;
-  last_bend_ = bend;
-  noise_.add(turned && std::abs(bend) > beyond * sigma_, at);
+  // What goes to and fro from sample to sample is no motion even if it is small.
+  const bool turned = bend * last_bends_[0] < 0;
+  const bool to_and_fro = turned && last_bends_[0] * last_bends_[1] < 0;
+  last_bends_ = {bend, last_bends_[0]};
+  const double limit = beyond * (to_and_fro ? std::min(sigma_, trembling_) : sigma_);
+  noise_.add(turned && std::abs(bend) > limit, at);
 }
 
 }  // namespace drydock::diagnosis

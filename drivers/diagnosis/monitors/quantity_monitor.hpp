@@ -36,7 +36,9 @@ class QuantityMonitor {
 
   Quantity quantity() const { return quantity_; }
   bool known() const { return known_; }
-  double sigma() const { return sigma_; }            ///< usual deviation of second differences
+  double sigma() const { return sigma_; }  ///< usual deviation of second differences
+  /// The largest change of sound samples from one to the next, at the present slope.
+  double usual_change() const;
   bool noise_shows() const { return noise_shows_; }  ///< sound samples go up and down
   const EventTest& noise() const { return noise_; }
 
@@ -51,7 +53,8 @@ class QuantityMonitor {
   double sigma_ = 0;    ///< at least that of a usual motion
   double scatter_ = 0;  ///< as it was in the first time
   double rate_ = 0;     ///< the mean first derivative, of a vehicle that is fast itself
-  double usual_period_s_ = 0, last_bend_ = 0;
+  double usual_period_s_ = 0;
+  std::array<double, 2> last_bends_{};
   double smallest_bend_ = std::numeric_limits<double>::infinity();
   Spread<128> bends_, periods_;
   unsigned turns_ = 0, moves_ = 0;  ///< changes of direction among changes
@@ -61,6 +64,7 @@ class QuantityMonitor {
   Stamp last_at_{};
   unsigned samples_ = 0;  ///< of last_
   EventTest noise_{0.02, 0.5, noise_threshold};
+  double trembling_ = 0;  ///< deviation of second differences that go to and fro
 };
 
 }  // namespace drydock::diagnosis

@@ -52,8 +52,8 @@ bool ValueMonitor::take(std::uint32_t kind, const measurement::Measurement& meas
   const Readings readings = readings_of(measurement, home_);
   judge_presence(*stream, !readings.empty(), at);
   if (readings.empty()) return false;
-  const bool same = stream->sameness.add(readings, at);
-  judge_sameness(*stream, at);
+  const bool same = judge_run(stream->whole, readings, at);
+  if (expected_.kind == measurement::Kind::imu) judge_halves(*stream, readings, at);
   for (const Reading& reading : readings) judge(reading, at);
   return same;
 }
@@ -100,15 +100,24 @@ void ValueMonitor::tell_jump(const QuantityMonitor& monitor, const QuantityMonit
   jumped_ = {at, monitor.quantity(), news.jump, news.most};
 }
 
-void ValueMonitor::judge_sameness(Stream& stream, Stamp at) {
-  const auto impossible = stream.sameness.impossible_run();
-  const unsigned run = stream.sameness.run();
-  if (!impossible || run < *impossible || !noise_shows(stream.sameness.latest())) return;
-  const Amount amount{static_cast<double>(run), static_cast<double>(*impossible),
+/// The gyros of an IMU can stand still while its accelerometers go on, and the other way about.
+void ValueMonitor::judge_halves(Stream& stream, const Readings& readings, Stamp at) {
+  const auto middle = readings.begin() + static_cast<std::ptrdiff_t>(readings.size() / 2);
+  judge_run(stream.halves[0], Readings(readings.begin(), middle), at);
+  judge_run(stream.halves[1], Readings(middle, readings.end()), at);
+}
+
+/// True if the values are those of the message before.
+bool ValueMonitor::judge_run(Run& run, const Readings& readings, Stamp at) {
+  const Sameness& sameness = run.sameness;
+  const bool same = run.sameness.add(readings, at);
+  if (sameness.run() == 1) run.elsewhere = jumped(sameness.before_run(), readings);
+  const auto impossible = sameness.impossible_run();
+  if (!impossible || sameness.run() < *impossible || !noise_shows(readings)) return same;
+  const Amount amount{static_cast<double>(sameness.run()), static_cast<double>(*impossible),
                       "equal messages in a row", ""};
-  const Stamp since = stream.sameness.run_since();
-  const bool elsewhere = jumped(stream.sameness.before_run(), stream.sameness.latest());
-  teller_.tell(elsewhere ? Sign::out_of_range : Sign::stuck, since, at, amount);
+  teller_.tell(run.elsewhere ? Sign::out_of_range : Sign::stuck, sameness.run_since(), at, amount);
+  return same;
 }
 
 bool ValueMonitor::noise_shows(const Readings& readings) {
@@ -121,8 +130,7 @@ bool ValueMonitor::noise_shows(const Readings& readings) {
 bool ValueMonitor::jumped(const Readings& from, const Readings& to) {
   for (std::size_t i = 0; i < std::min(from.size(), to.size()); ++i) {
     const QuantityMonitor* const monitor = monitor_of(to[i].quantity);
-    constexpr double beyond = 8;
-    if (monitor != nullptr && std::abs(from[i].value - to[i].value) > beyond * monitor->sigma())
+    if (monitor != nullptr && std::abs(from[i].value - to[i].value) > monitor->usual_change())
       return true;
   }
   return false;
@@ -165,7 +173,10 @@ void ValueMonitor::set_under_water(bool under, Stamp now) {
 
 void ValueMonitor::interrupt() {
   for (QuantityMonitor& monitor : monitors_) monitor.interrupt();
-  for (Stream& stream : streams_) stream.sameness.interrupt();
+  for (Stream& stream : streams_) {
+    stream.whole.sameness.interrupt();
+    for (Run& half : stream.halves) half.sameness.interrupt();
+  }
 }
 
 }  // namespace drydock::diagnosis

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "drivers/diagnosis/monitors/expected.hpp"
 #include "drivers/diagnosis/monitors/quantity_monitor.hpp"
 #include "drivers/diagnosis/monitors/sameness.hpp"
@@ -23,9 +25,14 @@ class ValueMonitor {
   void set_under_water(bool under, Stamp now);
 
  private:
+  struct Run {
+    Sameness sameness;
+    bool elsewhere = false;  ///< it began with a leap
+  };
   struct Stream {
     std::uint32_t kind = 0;
-    Sameness sameness;
+    Run whole;
+    std::array<Run, 2> halves{};  ///< of an IMU: accelerometers, gyros
     unsigned count = 0, with_values = 0, missing_run = 0;
     Stamp missing_since{};
     std::optional<Stamp> first;
@@ -35,7 +42,8 @@ class ValueMonitor {
   void judge(const Reading& reading, Stamp at);
   void tell_wild(const QuantityMonitor& monitor, double off, Stamp at);
   void tell_jump(const QuantityMonitor& monitor, const QuantityMonitor::News& news, Stamp at);
-  void judge_sameness(Stream& stream, Stamp at);
+  bool judge_run(Run& run, const Readings& readings, Stamp at);
+  void judge_halves(Stream& stream, const Readings& readings, Stamp at);
   void judge_presence(Stream& stream, bool has_values, Stamp at);
   bool noise_shows(const Readings& readings);
   bool jumped(const Readings& from, const Readings& to);

@@ -42,6 +42,39 @@ TEST_F(LineThatIsWatched, IsSilentSinceItsLastMessage) {
   EXPECT_EQ(signs.first(Sign::silent).since, at_s(last));
 }
 
+TEST_F(LineThatIsWatched, IsNotSilentBecauseThisProgramStoodStill) {
+  health.state = State::stale;
+  now += 8;
+  monitor.interrupt(at_s(now));
+  health.stream.bad_checksums = 1;  // the end of what the host's buffers kept
+  for (int i = 0; i < 4; ++i) look(0);
+  EXPECT_TRUE(signs.all.empty());
+  health.state = State::streaming;
+  for (int i = 0; i < 40; ++i) look(3);
+  EXPECT_TRUE(signs.all.empty());
+}
+
+TEST_F(LineThatIsWatched, IsSilentWhereItDoesNotComeBackAfterAStall) {
+  health.state = State::stale;
+  const double last = now;
+  now += 8;
+  monitor.interrupt(at_s(now));
+  for (int i = 0; i < 12; ++i) look(0);
+  ASSERT_TRUE(signs.has(Sign::silent));
+  EXPECT_EQ(signs.first(Sign::silent).since, at_s(last));
+}
+
+TEST_F(LineThatIsWatched, StaysSilentAtAStallWhereItWasSilentBefore) {
+  health.state = State::stale;
+  look(0);
+  look(0);
+  signs.all.clear();
+  now += 8;
+  monitor.interrupt(at_s(now));
+  look(0);
+  EXPECT_TRUE(signs.has(Sign::silent));
+}
+
 TEST_F(LineThatIsWatched, MayBootForTenSeconds) {
   health.state = State::waiting;
   health.since = health.link_up_since.emplace(at_s(now));

@@ -48,5 +48,37 @@ TEST(IntegrityStatuses, ComeOnceASecondAndAtEachChange) {
   EXPECT_TRUE(statuses.take(estimate_at(105.003, true)));
 }
 
+TEST(IntegrityStatuses, SayOnceASecondThatASilentEstimatorIsNotValid) {
+  IntegrityStatuses statuses({"leveling"});
+  std::vector<bus::DeviceStatus> told;
+  const auto look = [&](double seconds) {
+    statuses.look(measurement::Stamp{} + measurement::from_seconds(seconds),
+                  [&](const bus::DeviceStatus& status) { told.push_back(status); });
+  };
+  for (int i = 0; i < 500; ++i) {
+    look(100 + 0.01 * i);
+    statuses.take(estimate_at(100 + 0.01 * i, true));
+  }
+  EXPECT_TRUE(told.empty());
+  for (int i = 0; i < 300; ++i) look(105 + 0.1 * i);  // its IMU is silent for 30 s
+  ASSERT_EQ(told.size(), 30u);                        // from 105.5 s on
+  EXPECT_EQ(told.front().name, "leveling/integrity");
+  EXPECT_EQ(told.front().level, bus::Level::warn);
+  EXPECT_THAT(told.front().values, Contains(Pair("valid", "false")));
+  EXPECT_TRUE(statuses.take(estimate_at(135.1, true))) << "the change back";
+}
+
+// A log at 0.2 Hz paces a dead reckoning: five seconds are its usual time between two estimates.
+TEST(IntegrityStatuses, WaitAsLongAsTheEstimatorsOwnPace) {
+  IntegrityStatuses statuses({"slow"});
+  int told = 0;
+  for (int i = 0; i < 100; ++i) {
+    statuses.look(measurement::Stamp{} + measurement::from_seconds(100 + i),
+                  [&](const bus::DeviceStatus&) { ++told; });
+    if (i % 5 == 0) statuses.take(estimate_at(100 + i, true));
+  }
+  EXPECT_EQ(told, 5);  // before its pace is known
+}
+
 }  // namespace integrity_status_test
 }  // namespace drydock::host

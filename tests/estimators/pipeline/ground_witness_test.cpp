@@ -49,7 +49,7 @@ class Watched {
     for (long i = std::lround(100 * seconds); i > 0; --i, ++tick) sample();
   }
   bool valid() const { return estimates.all.back().integrity.valid; }
-  const EstimatorStatus& status() const { return pipeline->status(0); }
+  EstimatorStatus status() const { return pipeline->status(0); }
   /// The longest time in which an estimate was valid and more than five sigmas wrong.
   double wrong_while_valid_s() const {
     long in_a_row = 0, longest = 0;

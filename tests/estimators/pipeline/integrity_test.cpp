@@ -62,7 +62,7 @@ class Ahead {
     }
   }
   bool valid() const { return pipeline->valid(0, at_ms(10 * tick)); }
-  const EstimatorStatus& status() const { return pipeline->status(0); }
+  EstimatorStatus status() const { return pipeline->status(0); }
   double tilt() const {
     return std::hypot(estimates.all.back().roll_rad, estimates.all.back().pitch_rad);
   }

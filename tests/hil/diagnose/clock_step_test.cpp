@@ -57,6 +57,27 @@ struct Away {
   Stamp now{1'000'000s};
 };
 
+/// A stall is told with its times, and a wait that was said before is none.
+TEST(DiagnosisAtAStall, TellsThatThisProgramStoodStill) {
+  struct Stalls final : host::Follower {
+    void on_stall(Stamp from, Stamp to) override { all.emplace_back(from, to); }
+    std::vector<std::pair<Stamp, Stamp>> all;
+  } stalls;
+  Away away;
+  away.diagnostician.emplace(away.rig, stalls);
+  away.diagnostician->watch({away.device.get()});
+  away.go_on(20s);
+  const Stamp last = away.now - 200ms;
+  away.now = last + 8s;
+  away.go_on(20s);
+  ASSERT_EQ(stalls.all.size(), 1u);
+  EXPECT_EQ(stalls.all.front(), std::pair(last, last + 8s));
+  away.now += 8s;
+  away.diagnostician->await(away.now);
+  away.go_on(20s);
+  EXPECT_EQ(stalls.all.size(), 1u);
+}
+
 TEST(DiagnosisAtAClockStep, NoFindingLastsLongerThanItDid) {
   for (const auto step : {3600s, -3600s}) {
     Away away;
