@@ -124,7 +124,7 @@ TEST_F(Odometry, OfRosbag2IsReadWithItsBareNames) {
 }
 
 TEST_F(Odometry, OfTheTruthIsNoEstimateUnlessItIsAskedFor) {
-  const std::vector pose{odometry(Matrix3d::Identity())};
+  const std::vector<std::vector<std::uint8_t>> pose{odometry(Matrix3d::Identity())};
   write(pose, definition(), {"/estimate/truth/odometry"});
   EXPECT_EQ(read_odometry(path_, "").error().line,
             path_ +
