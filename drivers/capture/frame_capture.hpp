@@ -69,7 +69,7 @@ class FrameCapture {
   std::size_t searched_ = 0;      ///< bytes of the head in which no format was recognised
   bool may_show_format_ = false;  ///< bytes came since the last attempt to recognise the format
   bool more_in_unit_ = false;
-  bool cut_ = false;  ///< the end inside of a block is noted
+  bool cut_ = false;                               ///< the end inside of a block is noted
   std::set<std::string, std::less<>> interfaces_;  ///< whose frames are given
   Tally tally_;
 };

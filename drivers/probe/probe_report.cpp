@@ -186,7 +186,8 @@ void print_text(const ProbeReport& report, std::FILE* out) {
   if (!report.shared_with.empty()) fmt::print(out, "  {}\n", text::printable(shared_text(report)));
   for (const auto& note : all_notes(report)) fmt::print(out, "  {}\n", text::printable(note));
   if (!report.devices.empty()) fmt::print(out, "\n# for a rig file:\n");
-  for (const auto& device : report.devices) fmt::print(out, "\n{}", text::printable_lines(survey::rig_block(device)));
+  for (const auto& device : report.devices)
+    fmt::print(out, "\n{}", text::printable_lines(survey::rig_block(device)));
 }
 
 }  // namespace drydock::probe

@@ -54,7 +54,7 @@ Checks::Checks(const std::vector<Sensor>& sensors, diagnosis::SymptomSink& to)
     : to_(to),
       tracks_(tracks_of(sensors)),
       place_(places_of(sensors)),
-      named_(sensors.size()),
+      doubted_(sensors.size()),
       lag_(lag_of(sensors)),
       constants_(tracks_),
       speeds_(tracks_),
@@ -91,11 +91,22 @@ void Checks::push(const measurement::Measurement& measurement) {
 }
 
 bool Checks::trusted(const Devices& devices) const {
-  return std::ranges::none_of(devices, [&](std::uint16_t device) { return named_[device]; });
+  return std::ranges::none_of(devices, [&](std::uint16_t device) { return doubted_[device]; });
+}
+
+/// The named ones, and units that repeat one sample: nothing here needs to fire before a rate that
+/// stands still is no longer believed.
+void Checks::doubt(Stamp at) {
+  std::fill(doubted_.begin(), doubted_.end(), false);
+  for (const Named& one : names_) doubted_[one.device] = true;
+  for (const InertialUnit& unit : tracks_.units)
+    if (const auto still = unit.freeze().since(); still && *still < at)
+      doubted_[unit.device()] = true;
 }
 
 void Checks::step(Stamp at) {
   for (InertialUnit& unit : tracks_.units) unit.advance(at);
+  doubt(at);
   Moment moment = moment_at(at);
   const auto distrusted = [&](const Devices& devices) { return !trusted(devices); };
   headings_.step(moment, distrusted);
@@ -108,8 +119,6 @@ void Checks::step(Stamp at) {
   steering_.step(moment, speeds_.group().value(), speeds_.through_water(moment));
   accuse(moment);
   names_ = parity_.name(accusations_, at);
-  std::fill(named_.begin(), named_.end(), false);
-  for (const Named& one : names_) named_[one.device] = true;
   last_ = at;
 }
 
@@ -145,13 +154,15 @@ std::optional<Eigen::Vector3d> Checks::velocity(const Moment& moment) const {
   return {};
 }
 
-/// dv/dt + w x v
+/// dv/dt + w x v. While no unit is trusted the headings of others tell how the vehicle turns.
 std::optional<Eigen::Vector3d> Checks::acceleration(const Moment& moment) {
   const auto before = last_velocity_;
   last_velocity_ = velocity(moment);
-  if (!before || !last_velocity_ || !moment.rate || moment.dt <= 0) return {};
-  return (*last_velocity_ - *before) / moment.dt +
-         moment.rate->cross((*last_velocity_ + *before) / 2);
+  if (!before || !last_velocity_ || moment.dt <= 0) return {};
+  if (!moment.rate && !moment.heading_known) return {};
+  const Eigen::Vector3d rate =
+      moment.rate.value_or(headings_.group().rate() * Eigen::Vector3d::UnitZ());
+  return (*last_velocity_ - *before) / moment.dt + rate.cross((*last_velocity_ + *before) / 2);
 }
 
 void Checks::accuse(const Devices& devices, const Test& test, const Freeze* freeze,
@@ -170,7 +181,8 @@ void Checks::accuse(const Group& group) {
 bool Checks::any_fired() const {
   const auto fired = [](const Test& test) { return test.fired(); };
   const auto has_fired = [&](const auto& one) { return std::ranges::any_of(one.tests, fired); };
-  for (const Group* group : {&speeds_.group(), &headings_.group(), &heights_.group()})
+  for (const Group* group :
+       {&speeds_.group(), &speeds_.ahead(), &headings_.group(), &heights_.group()})
     if (std::ranges::any_of(group->witnesses(), fired, &Witness::test)) return true;
   return std::ranges::any_of(levels_.units(), has_fired) ||
          std::ranges::any_of(places_.receivers(), has_fired) ||
@@ -187,6 +199,7 @@ void Checks::accuse(const Moment& moment) {
   accusations_.clear();
   if (!any_fired()) return;
   accuse(speeds_.group());
+  accuse(speeds_.ahead());
   accuse(headings_.group());
   accuse(heights_.group());
   for (const auto& unit : levels_.units())

@@ -26,6 +26,7 @@ class Checks {
  private:
   void push(const measurement::Measurement& measurement);
   void step(Stamp at);
+  void doubt(Stamp at);
   Moment moment_at(Stamp at);
   std::optional<Eigen::Vector3d> acceleration(const Moment& moment);
   std::optional<Eigen::Vector3d> velocity(const Moment& moment) const;
@@ -39,7 +40,7 @@ class Checks {
   diagnosis::SymptomSink& to_;
   Tracks tracks_;
   std::vector<std::uint16_t> place_;  ///< of a device in the tracks of its kind
-  std::vector<bool> named_;
+  std::vector<bool> doubted_;         ///< devices whose values are no reference now
   std::chrono::nanoseconds lag_;
   Constants constants_;
   Speeds speeds_;

@@ -8,6 +8,7 @@ namespace {
 constexpr double first_current_mps = 0.5, first_offset_mps = 0.1;  // 1 sigma
 constexpr double current_walk = 0.004, offset_walk = 0.0005;       // m/s/sqrt(s)
 constexpr double noise_mps = 0.1;                                  // of one comparison
+constexpr double unlikely = 6;                                     // sigmas; no water does that
 
 double squared(double x) { return x * x; }
 
@@ -42,7 +43,9 @@ void Current::follow(const Eigen::Vector2d& lacking, bool across, double heading
 void Current::update(double lacking, const Row& h) {
   const Eigen::Vector4d ph = covariance_ * h.transpose();
   const double variance = h.dot(ph) + squared(noise_mps);
-  state_ += ph * ((lacking - h.dot(state_)) / variance);
+  const double news = lacking - h.dot(state_);
+  if (squared(news) > squared(unlikely) * variance) return;
+  state_ += ph * (news / variance);
   covariance_ -= ph * ph.transpose() / variance;
 }
 

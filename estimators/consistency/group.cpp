@@ -77,20 +77,18 @@ void Group::anchor(double dt) {
 }
 
 /// The median leaves a witness only as far as the best of the others does. How much that one is
-/// wider now than usual, no spread has learned.
-double Group::wider_now(const Witness& witness) const {
+/// wider now than usual, no spread has learned. Beside two others, the better one alone holds the
+/// median while both err to one side: a test is no better than that one.
+double Group::sigma_among_others(const Witness& witness) const {
   double usual = std::numeric_limits<double>::infinity(), now = usual;
   for (const Witness& other : witnesses_) {
     if (&other == &witness || !other.votes) continue;
     usual = std::min(usual, other.spread);
     now = std::min(now, other.wide);
   }
-  return now > usual ? std::sqrt(now * now - usual * usual) : 0;
-}
-
-double Group::sigma_among_others(const Witness& witness) const {
-  const double wider = wider_now(witness);
-  return wider == 0 ? witness.sigma : std::hypot(witness.sigma, wider);
+  const double learned = voters_ > 3 ? usual : std::min(now, witness.spread);
+  return now > learned ? std::sqrt(witness.sigma * witness.sigma + now * now - learned * learned)
+                       : witness.sigma;
 }
 
 Devices Group::accused(const Witness& witness) const {

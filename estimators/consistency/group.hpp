@@ -84,7 +84,6 @@ class Group {
   };
   void move_to(std::optional<double> value, double dt);
   void test(Witness& witness, Stamp at, std::size_t seen) const;
-  double wider_now(const Witness& witness) const;
   double sigma_among_others(const Witness& witness) const;
 
   double period_;

@@ -14,6 +14,8 @@ constexpr TestFacts sum_facts{.floor = 0.08,
                               .sum_above = 0,
                               .quantity = "integrated velocity down",
                               .unit = "m"};
+/// 1 sigma of roll and pitch that no device tells: a diving vehicle.
+constexpr double unknown_tilt_rad = 0.5;
 
 }  // namespace
 
@@ -32,7 +34,9 @@ void Heights::see(const Moment& moment) {
     const auto read = depth.depth.at(moment.at);
     if (!read) continue;
     const double below = moment.down ? moment.down->dot(depth.sensor.lever_arm_m) : 0;
-    group_.see(depths_[i], read->value.x() - below, read->serial);
+    const double unknown_m =
+        moment.down ? 0 : unknown_tilt_rad * depth.sensor.lever_arm_m.head<2>().norm();
+    group_.see(depths_[i], read->value.x() - below, read->serial, unknown_m);
   }
   see_dvls(moment);
 }

@@ -19,6 +19,7 @@ TestFacts facts_along(std::string_view quantity) {
           .wander = 0.002,
           .late_s = 0,
           .sum_above = fastest_drift_mps3,
+          .holds = true,
           .quantity = quantity,
           .unit = "m/s2"};
 }
@@ -31,9 +32,16 @@ bool any_fired(const Levels::Unit& unit) {
   return std::ranges::any_of(unit.tests, [](const Test& test) { return test.fired(); });
 }
 
+/// The axis that is farthest off tells the kind of the fault. The others are off by what is not
+/// known of a manoeuvre. An accelerometer's step stays as large as it was.
 bool turned_away(const Levels::Unit& unit) {
-  return std::ranges::any_of(
-      unit.tests, [](const Test& test) { return test.fired() && test.shape() != Shape::step; });
+  const auto off = [](const Test& test) {
+    return test.fired() ? std::abs(test.evidence().deviation) : 0;
+  };
+  const Test& farthest = *std::ranges::max_element(unit.tests, {}, off);
+  if (!farthest.fired()) return false;
+  return farthest.shape() != Shape::step ||
+         std::abs(farthest.deviation()) < std::abs(farthest.evidence().deviation) / 2;
 }
 
 }  // namespace
@@ -81,15 +89,18 @@ void Levels::step(Unit& unit, InertialUnit& inertial, const Moment& moment,
     for (Test& test : unit.tests) test.restart();
     unit.in_body.setZero(), unit.in_level.setZero();
   }
-  const bool sound = pulls && !any_fired(unit);
+  const bool accused = any_fired(unit);
+  const bool sound = pulls && !accused;
   const Eigen::Vector3d difference = inertial.level(acceleration, sound);
   const double turned = sound ? unsettled(unit, inertial, difference, moment.dt) : 0;
   for (int axis = 0; axis < 3; ++axis)
     unit.tests.at(static_cast<std::size_t>(axis))
         .take({.value = difference[axis], .sigma = std::hypot(sigma, turned)}, moment.at);
-  const bool over = turned_away(unit) && inertial.quick_difference() < over_below_mps2;
+  const bool settled = inertial.quick_difference() < over_below_mps2;
+  const bool over = turned_away(unit) && settled;
   unit.over_s = over ? unit.over_s + moment.dt : 0;
-  if (unit.over_s > over_after_s) inertial.take_quick_level();
+  const bool acquitted = accused && !any_fired(unit) && settled;
+  if (acquitted || unit.over_s > over_after_s) inertial.take_quick_level();
 }
 
 }  // namespace drydock::consistency

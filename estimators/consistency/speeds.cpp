@@ -31,7 +31,12 @@ constexpr TestFacts shaft_facts{.floor = 0.025,
                                 .quantity = quantity,
                                 .unit = "m/s"};
 
+/// Sideways or astern, a speed has the same size: this test is for the direction alone.
+constexpr TestFacts ahead_facts{
+    .floor = 0.3, .wander = 0.003, .late_s = 0.25, .quantity = "speed ahead", .unit = "m/s"};
+
 constexpr double usual_current_mps = 0.3;
+constexpr double unknown_slope_rad = 0.2;  // 1 sigma of a pitch that no device tells
 
 }  // namespace
 
@@ -45,6 +50,10 @@ Speeds::Speeds(const Tracks& tracks) : tracks_(tracks) {
     logs_.push_back(group_.add({log.device}, log_facts, &log.speed.freeze()));
   for (const auto& actuator : tracks.actuators)
     shafts_.push_back(group_.add({actuator.device}, shaft_facts, &actuator.shaft.freeze(), true));
+  for (const auto& dvl : tracks.dvls)
+    dvls_ahead_.push_back(ahead_.add({dvl.device}, ahead_facts, &dvl.velocity.freeze()));
+  for (const auto& log : tracks.logs)
+    logs_ahead_.push_back(ahead_.add({log.device}, ahead_facts, &log.speed.freeze()));
   currents_.resize(logs_.size());
   learned_.resize(logs_.size());
   surges_.resize(shafts_.size());
@@ -60,15 +69,19 @@ void Speeds::see(const Moment& moment) {
 void Speeds::see_dvls(const Moment& moment) {
   for (std::size_t i = 0; i < dvls_.size(); ++i) {
     const auto& dvl = tracks_.dvls[i];
-    if (const auto read = dvl.velocity.at(moment.at))
-      group_.see(dvls_[i], at_origin(read->value, dvl.sensor.lever_arm_m, moment).head<2>().norm(),
-                 read->serial);
+    const auto read = dvl.velocity.at(moment.at);
+    if (!read) continue;
+    const Eigen::Vector2d velocity =
+        at_origin(read->value, dvl.sensor.lever_arm_m, moment).head<2>();
+    group_.see(dvls_[i], velocity.norm(), read->serial);
+    ahead_.see(dvls_ahead_[i], velocity.x(), read->serial);
   }
 }
 
 /// A pitched vehicle is faster along its deck than along the sea.
 void Speeds::see_receivers(const Moment& moment) {
   const double slope = moment.down ? std::min(0.8, std::abs(moment.down->x())) : 0;
+  const double unknown_share = moment.down ? 0 : 1 - std::cos(unknown_slope_rad);
   for (std::size_t i = 0; i < receivers_.size(); ++i) {
     const auto& receiver = tracks_.receivers[i];
     const auto read = receiver.velocity.at(moment.at);
@@ -76,15 +89,19 @@ void Speeds::see_receivers(const Moment& moment) {
     const Eigen::Vector3d antenna =
         read->value.norm() / std::sqrt(1 - slope * slope) * Eigen::Vector3d::UnitX();
     group_.see(receivers_[i], at_origin(antenna, receiver.sensor.lever_arm_m, moment).x(),
-               read->serial);
+               read->serial, unknown_share * antenna.x());
   }
 }
 
 void Speeds::see_logs(const Moment& moment) {
   for (std::size_t i = 0; i < logs_.size(); ++i)
-    if (const auto read = tracks_.logs[i].speed.at(moment.at))
-      group_.see(logs_[i], (water(i, read->value, moment) + currents_[i].at(moment.heading)).norm(),
-                 read->serial, current_sigma(i, moment));
+    if (const auto read = tracks_.logs[i].speed.at(moment.at)) {
+      const Eigen::Vector2d velocity =
+          water(i, read->value, moment) + currents_[i].at(moment.heading);
+      const double sigma = current_sigma(i, moment);
+      group_.see(logs_[i], velocity.norm(), read->serial, sigma);
+      ahead_.see(logs_ahead_[i], velocity.x(), read->serial, sigma);
+    }
 }
 
 /// Without a heading the current changes sides unseen.

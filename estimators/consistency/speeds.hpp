@@ -18,10 +18,13 @@ class Speeds {
     see(moment);
     group_.settle(moment.at, moment.dt, distrusted);
     group_.anchor(moment.dt);
+    ahead_.settle(moment.at, moment.dt, distrusted);
     learn(moment);
   }
 
   const Group& group() const { return group_; }
+  /// Speed ahead: of each DVL, and of the first log with the current.
+  const Group& ahead() const { return ahead_; }
   /// The speed along the deck less the current; empty if nothing tells how the water moves.
   std::optional<double> through_water(const Moment& moment) const;
 
@@ -43,8 +46,8 @@ class Speeds {
   Eigen::Vector2d water(std::size_t log, const Eigen::Vector2d& read, const Moment& moment) const;
 
   const Tracks& tracks_;
-  Group group_;
-  std::vector<std::size_t> dvls_, receivers_, logs_, shafts_;
+  Group group_, ahead_;
+  std::vector<std::size_t> dvls_, receivers_, logs_, shafts_, dvls_ahead_, logs_ahead_;
   std::vector<Current> currents_;       ///< one a log
   std::vector<std::uint64_t> learned_;  ///< the last sample of each log that did so
   std::vector<Surge> surges_;           ///< one a shaft

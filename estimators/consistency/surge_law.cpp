@@ -15,6 +15,9 @@ constexpr double known_thrust_share = 0.1;  // of a: then the law is known
 constexpr double fewest_steps = 200;
 /// m itself differs between manoeuvres by so much.
 constexpr double way_share = 0.1, least_way_sigma_m = 0.5;
+/// 1 sigma of dw/dt at a steady speed: this noise of the sensors seems to tell m.
+constexpr double change_noise_mps2 = 0.005;
+constexpr double least_told_share = 1.0 / 9;  // three times the sigma of the fit at most
 /// So does d r^2: a rudder that is put over slows before the hull turns, and drift comes last.
 constexpr double turn_share = 0.1;
 constexpr double slowest_mps = 0.2, least_way_m = 1e-3;
@@ -61,8 +64,11 @@ void SurgeLaw::begin_at(std::optional<double> ahead_mps) {
   moved_.setZero();
 }
 
+/// What noise told of m counts little: without a change of speed there is nothing else.
 double SurgeLaw::way_sigma_m() const {
-  return std::hypot(law_.sigma(1), way_share * law_.value[1], least_way_sigma_m);
+  const double told = 1 / surge_square(law_.sigma(1));
+  const double sure = std::max(told - noise_told_, least_told_share * told);
+  return std::hypot(1 / std::sqrt(sure), way_share * law_.value[1], least_way_sigma_m);
 }
 
 /// dw/dt = (a n^2 + g r v - d r^2 - w^2) / m, exact over a step in which w changes little. The
@@ -99,6 +105,8 @@ void SurgeLaw::learn() {
   if (known_)
     misfit_ = surge_memory * misfit_ + surge_square((y - law_.value.dot(x)) / surge_noise_mps);
   fit_.add(y, x);
+  noise_told_ =
+      surge_memory * noise_told_ + surge_square(change_noise_mps2 / twice_speed / surge_noise_mps);
   believe(fit_.solve());
 }
 

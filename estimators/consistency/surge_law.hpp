@@ -51,7 +51,7 @@ class SurgeLaw {
   std::array<double, 3> speeds_{};
   Fit::Vector moved_ = Fit::Vector::Zero();  ///< d(speed)/d(a, m, g, d)
   Fit::Answer law_;
-  double misfit_ = 0;
+  double misfit_ = 0, noise_told_ = 0;  ///< noise_told_: information on m, 1/m2
   bool begun_ = false, known_ = false;
 };
 

@@ -8,7 +8,10 @@ using diagnosis::Sign;
 constexpr double follow_s = 10;   // time constant of the offset, within the bound of its rate
 constexpr int first_memory = 15;  // samples: a sum may drift while its offset is learned
 constexpr double trend_s = 60;    // and of its trend
-constexpr std::chrono::seconds outage{3}, steady_for_sum{5};
+constexpr std::chrono::seconds outage{3};
+constexpr double steady_for_sum_s = 5;  // at least
+/// Sigmas by which a fault that goes on had moved its sum meanwhile: others err by some of them.
+constexpr double still_going = 10;
 // Fired samples; then the shape is told. Of two witnesses the named one soon counts no more, which
 // changes the residual.
 constexpr int told_after = 15, told_after_of_pair = 6;
@@ -59,14 +62,18 @@ void Test::follow(double dt) {
   offset_ += std::clamp(deviation_ * dt / follow_s, -most, most) + trend_ * dt;
 }
 
-/// The sum of a fault that is over stays where it is: it begins anew.
+/// The sum of a fault that is over stays where it is: it begins anew. It stayed for long enough
+/// when the fault, at the mean rate of its rise, would have moved it clearly.
 void Test::end_sum(Stamp at) {
   if (facts_.sum_above > 0) return;
   if (std::abs(deviation_ - steady_) > 2 * sigma_) {
     steady_ = deviation_;
     steady_since_ = at;
   }
-  if (at - steady_since_ > steady_for_sum) restart();
+  const double steady_s = measurement::seconds(at - steady_since_);
+  const double rise_s = std::max(1.0, measurement::seconds(steady_since_ - since_));
+  if (steady_s > steady_for_sum_s && std::abs(steady_) / rise_s * steady_s > still_going * sigma_)
+    restart();
 }
 
 double Test::spread() const { return std::sqrt(std::max(square(facts_.floor), mean_square_)); }
@@ -76,9 +83,17 @@ double Test::sigma_of(const Residual& residual, double spread) const {
                    square(residual.sigma));
 }
 
+/// An alarm ends because the residual is back, not because less is known now than usual.
+bool Test::is_blind(const Residual& residual) const {
+  const double known = sigma_of({.rate = residual.rate}, spread());
+  const double away = std::abs(deviation_);
+  return facts_.holds && fired_ && away > design.reference * known &&
+         away < design.reference * sigma_;
+}
+
 void Test::test(const Residual& residual, Stamp at) {
   const bool was_quiet = cusum_.value() <= 0;
-  cusum_.take(deviation_ / sigma_, design);
+  if (!is_blind(residual)) cusum_.take(deviation_ / sigma_, design);
   if (cusum_.value() <= 0) {
     fired_ = false;
     usual_rate_ = residual.rate;
@@ -95,7 +110,11 @@ void Test::test(const Residual& residual, Stamp at) {
     since_ = at;
     return;  // it may lie between the last sound sample and the first wrong one
   }
-  if (cusum_.value() >= design.limit) fired_ = true;
+  if (cusum_.value() >= design.limit && !fired_) {
+    fired_ = true;
+    steady_ = deviation_;
+    steady_since_ = at;
+  }
   if (fired_ && ++fired_samples_ > (residual.pair ? told_after_of_pair : told_after)) return;
   const double rate = residual.shapes ? residual.rate - usual_rate_ : 0;
   const double quantity =

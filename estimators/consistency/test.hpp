@@ -21,6 +21,7 @@ struct TestFacts {
   /// drift. 0 for a residual that is a sum, infinity for a plain difference.
   double sum_above = std::numeric_limits<double>::infinity();
   bool scales = false;  ///< a wrong factor is possible: the quantity has a zero
+  bool holds = false;   ///< what is not known now ends no alarm
   std::string_view quantity, unit;
   double unit_si = 1;  ///< one unit in SI
 };
@@ -79,6 +80,7 @@ class Test {
   void learn(double value);
   void follow(double dt);
   void end_sum(Stamp at);
+  bool is_blind(const Residual& residual) const;
   void test(const Residual& residual, Stamp at);
   double sigma_of(const Residual& residual, double spread) const;
 

@@ -45,8 +45,9 @@ int of_capture(const std::string& file, bool json, std::FILE* out) {
   const auto lines = line_infos(file);
   const auto frames = capture_info(file);
   const bool on_bus = frames && (lines.empty() || frames->frames > 0);
-  const bool sound = (!on_bus || (frames->frames > 0 && frames->damage.empty())) &&
-                     std::ranges::all_of(lines, [](const auto& line) { return line.damage.empty(); });
+  const bool sound =
+      (!on_bus || (frames->frames > 0 && frames->damage.empty())) &&
+      std::ranges::all_of(lines, [](const auto& line) { return line.damage.empty(); });
   if (json && (on_bus || !lines.empty())) {
     fmt::print(out, "{}", on_bus ? to_json(*frames, lines) : to_json(file, lines));
     return terminal::exit_of(sound);
@@ -58,8 +59,8 @@ int of_capture(const std::string& file, bool json, std::FILE* out) {
     fmt::print(out, "{}: {} bytes of a line{}\n", text::printable(file),
                std::filesystem::file_size(file), capture::has_times(file) ? "" : ", without times");
   json ? probe::print_json(heard, out) : probe::print_text(heard, out);
-  return terminal::exit_of(sound && (on_bus || !lines.empty() ||
-                                     heard.confidence() > survey::Confidence::nothing));
+  return terminal::exit_of(
+      sound && (on_bus || !lines.empty() || heard.confidence() > survey::Confidence::nothing));
 }
 
 }  // namespace

@@ -48,8 +48,8 @@ std::vector<LineInfo> line_infos(const std::string& file) {
 
 std::string to_text(const std::string& file, const std::vector<LineInfo>& lines) {
   const bool serial = std::ranges::all_of(lines, &LineInfo::serial);
-  std::string text = fmt::format("{}: {}, {} {}\n", file, format_of(file),
-                                 lines.size(), serial ? "serial lines" : "lines");
+  std::string text = fmt::format("{}: {}, {} {}\n", file, format_of(file), lines.size(),
+                                 serial ? "serial lines" : "lines");
   for (const auto& line : lines)
     text += fmt::format("line {}: {} reads, {} bytes, {:.1f} s{}{}\n", line.name, line.reads,
                         line.bytes, covered_s(line), line.first ? utc::from(*line.first) : "",

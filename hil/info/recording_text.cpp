@@ -40,8 +40,8 @@ nlohmann::json json_of(const std::map<std::string, TopicInfo>& all, record::Stam
 
 std::string to_text(const RecordingInfo& info) {
   std::string text = fmt::format("{}: MCAP recording, {:.1f} MB, {:.1f} s{}\nwritten by {}{}\n",
-                                 info.file, static_cast<double>(info.size) / 1e6,
-                                 info.duration_s(), utc::from(info.begin.time_since_epoch()),
+                                 info.file, static_cast<double>(info.size) / 1e6, info.duration_s(),
+                                 utc::from(info.begin.time_since_epoch()),
                                  info.written_by.empty() ? "another program" : info.written_by,
                                  info.rig.empty() ? "" : ", rig " + info.rig);
   for (const auto& [link, devices] : info.devices)

@@ -196,6 +196,55 @@ TEST(Consistency, SeesARudderThatIsSaidToStandStillWhileTheVehicleTurns) {
   for (const auto& one : voyage.said()) EXPECT_EQ(one.device, actuators) << one.at_s;
 }
 
+/// The finding lasts as long as the fault, and nobody else is named beside it.
+void expect_only_the_unit_until(double end_s, const Voyage& voyage) {
+  ASSERT_FALSE(voyage.said().empty());
+  for (const auto& one : voyage.said())
+    EXPECT_EQ(one.device, imu) << to_string(one.sign) << " at " << one.at_s;
+  double silent_s = 0, last_s = voyage.said().front().at_s;
+  for (const auto& one : voyage.said()) {
+    silent_s = std::max(silent_s, one.at_s - last_s);
+    last_s = one.at_s;
+  }
+  EXPECT_LT(silent_s, 10) << "then a finding ends";
+  EXPECT_GT(last_s, end_s - 10);
+}
+
+TEST(Consistency, NamesAGyroAsLongAsItIsWrongAndNobodyElse) {
+  Voyage voyage;
+  voyage.run(300, on<ImuSample>([](auto& m, double) { m.angular_rate.z() += 0.5 * degree; }));
+  expect_only_the_unit_until(300, voyage);
+}
+
+/// Its last rate of turn would turn the others away from it for ever.
+TEST(Consistency, AccusesNobodyOfWhatAStuckUnitSays) {
+  Voyage voyage;
+  std::optional<ImuSample> last;
+  voyage.run(300, on<ImuSample>([&](auto& m, double) {
+               if (!last) last = m;
+               m.angular_rate = last->angular_rate;
+               m.specific_force = last->specific_force;
+             }));
+  for (const auto& one : voyage.said())
+    EXPECT_EQ(one.device, imu) << to_string(one.sign) << " at " << one.at_s;
+}
+
+/// Its speed is as large as before: only the log tells that the vehicle goes ahead.
+TEST(Consistency, NamesADvlWhoseAxesAreInvertedOrSwappedAndNeverTheLog) {
+  const Voyage::Fault faults[] = {
+      on<BottomVelocity>([](auto& m, double) { *m.velocity *= -1; }),
+      on<BottomVelocity>([](auto& m, double) { std::swap(m.velocity->x(), m.velocity->y()); })};
+  for (const auto& fault : faults) {
+    Voyage voyage({dvl, log, gnss, imu, depth, actuators});
+    voyage.run(200, fault);
+    const auto says_of = [&](std::uint16_t device) {
+      return std::ranges::count(voyage.said(), device, &Signs::Said::device);
+    };
+    EXPECT_GT(says_of(dvl), 400) << "about four a second";
+    EXPECT_EQ(says_of(log) + says_of(depth), 0);
+  }
+}
+
 TEST(Consistency, ForgetsAFaultThatIsOver) {
   Voyage voyage;
   voyage.run(90, on<BottomVelocity>([](auto& m, double) { m.velocity->x() += 0.3; }));

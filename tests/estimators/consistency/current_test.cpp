@@ -31,5 +31,13 @@ TEST(Current, StaysUncertainAcrossUntilTheVehicleTurns) {
   EXPECT_GT(std::sqrt(current.variance(std::numbers::pi / 2)), 0.4);
 }
 
+/// The axes of a DVL are inverted from one sample to the next: no water does that.
+TEST(Current, LearnsNothingFromAJumpOfTheVelocityOverGround) {
+  Current current;
+  for (int i = 0; i < 120; ++i) current.follow(lacking(0), false, 0, 0.5);
+  for (int i = 0; i < 120; ++i) current.follow(lacking(0) - Eigen::Vector2d{4, 0}, false, 0, 0.5);
+  EXPECT_NEAR(current.at(0).x(), lacking(0).x(), 0.02);
+}
+
 }  // namespace
 }  // namespace drydock::consistency

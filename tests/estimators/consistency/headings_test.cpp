@@ -72,6 +72,7 @@ class PitchingVehicle {
     sample.angular_rate = {0, (pitch_deg(t + h) - pitch_deg(t - h)) / (2 * h) * degree, 0};
     sample.specific_force =
         turned(0, pitch_deg(t), heading_deg).transpose() * Vector3d{0, 0, -gravity};
+    sample.specific_force.x() += 1e-6 * std::sin(1000 * t);  // one that repeats itself is stuck
     return sample;
   }
   static AttitudeSample compass() {

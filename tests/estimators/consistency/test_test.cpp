@@ -1,0 +1,44 @@
+#include "estimators/consistency/test.hpp"
+
+#include <gtest/gtest.h>
+
+namespace drydock::consistency {
+namespace {
+
+/// A residual that jumps to ten floors; a minute later nothing is known of it for a while.
+class Residuals {
+ public:
+  explicit Residuals(bool holds) : test({.floor = 0.1, .holds = holds}) {}
+  void go(double seconds, double value, double sigma) {
+    for (int i = 0; i < 5 * seconds; ++i) {
+      at_ += std::chrono::milliseconds{200};
+      test.take({.value = value, .sigma = sigma}, at_);
+    }
+  }
+  Test test;
+
+ private:
+  Stamp at_{std::chrono::seconds{100}};
+};
+
+TEST(Test, ThatHoldsKeepsItsAlarmWhileItKnowsTooLittle) {
+  for (const bool holds : {true, false}) {
+    Residuals residuals(holds);
+    residuals.go(20, 0, 0);
+    residuals.go(60, 1, 0);
+    ASSERT_TRUE(residuals.test.fired());
+    residuals.go(20, 1, 1.7);
+    EXPECT_EQ(residuals.test.fired(), holds);
+  }
+}
+
+TEST(Test, ThatHoldsEndsItsAlarmWhenTheResidualIsBackThoughItKnowsLittle) {
+  Residuals residuals(true);
+  residuals.go(20, 0, 0);
+  residuals.go(60, 1, 0);
+  residuals.go(20, 0, 1.7);
+  EXPECT_FALSE(residuals.test.fired());
+}
+
+}  // namespace
+}  // namespace drydock::consistency
