@@ -16,7 +16,7 @@ std::string left_out_text(const Tally& tally) {
 }
 
 std::string damage_text(const Tally& tally) {
-  const std::string left_out = left_out_text(tally);
+  std::string left_out = left_out_text(tally);
   if (tally.damaged == 0) return left_out;
   std::string text = std::to_string(tally.damaged);
   text +=

@@ -62,6 +62,7 @@ std::vector<fs::path> files_of(const std::string& value) {
   std::error_code missing;
   if (!fs::is_directory(value, missing)) return {value};
   std::vector<fs::path> files;
+  files.reserve(in_folder.size());
   for (const auto* name : in_folder) files.push_back(fs::path(value) / name);
   return files;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include "rig_config/load.hpp"
 #include "rig_config/toml/node.hpp"
 

@@ -62,7 +62,7 @@ double least_of_correlation(std::span<const double> rank_x) {
   return 2 * std::exp(log_factorials(equal) - all);
 }
 
-double least_of_effect(std::vector<std::size_t> sizes) {
+double least_of_effect(std::span<const std::size_t> sizes) {
   std::map<std::size_t, std::size_t> of_one_size;
   double log_share = 0, all = 0;
   for (const std::size_t size : sizes) {

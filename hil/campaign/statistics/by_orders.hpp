@@ -25,6 +25,6 @@ double effect_by_orders(std::span<const std::size_t> level, std::vector<double> 
 double least_of_correlation(std::span<const double> rank_x);
 
 /// The same for levels of these sizes: those of one size may change places.
-double least_of_effect(std::vector<std::size_t> sizes);
+double least_of_effect(std::span<const std::size_t> sizes);
 
 }  // namespace drydock::campaign

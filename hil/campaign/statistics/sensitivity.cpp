@@ -27,6 +27,7 @@ double correlation_p_value(double rho, std::span<const double> rank_x,
 double effect_p_value(double between, double within, const std::vector<ExactMoments>& groups,
                       double n) {
   std::vector<std::size_t> sizes;
+  sizes.reserve(groups.size());
   for (const auto& group : groups) sizes.push_back(static_cast<std::size_t>(group.count()));
   const double least = least_of_effect(sizes), levels = static_cast<double>(groups.size());
   if (within <= 0) return least;
