@@ -112,6 +112,14 @@ std::optional<Record> Reader::search_on(std::string_view what) {
   return {};
 }
 
+std::vector<Record> Reader::summary() {
+  const auto here = file_->tellg();
+  auto found = definitions(*file_, size_);
+  file_->clear();
+  file_->seekg(here);
+  return found;
+}
+
 bool Reader::read(Buffer& into, std::uint64_t size) {
   into.resize(static_cast<std::size_t>(size));
   file_->read(reinterpret_cast<char*>(into.data()), static_cast<std::streamsize>(size));

@@ -24,6 +24,9 @@ class Reader {
   /// Empty at the end of the data. The data of a message are valid until the next call.
   std::optional<Record> next();
 
+  /// Schemas, channels and attachments that the summary knows, wherever they stand in the file.
+  std::vector<Record> summary();
+
   /// Empty if there is no damage so far. Otherwise one line: the first problem, its byte position,
   /// and how much was left out; and where the file is cut.
   const std::string& damage() const { return damage_; }

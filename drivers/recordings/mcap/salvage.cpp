@@ -59,6 +59,22 @@ std::optional<std::uint64_t> find_chunk(std::istream& file, std::uint64_t from,
   return {};
 }
 
+namespace {
+
+/// The attachment that a record of the summary points at; empty: it is damaged.
+std::optional<Record> attachment_at(std::istream& file, Bytes index) {
+  constexpr std::uint64_t most = 64u << 20;
+  Decoder fields(index);
+  const auto offset = fields.number<std::uint64_t>(), length = fields.number<std::uint64_t>();
+  if (!fields.good() || length < record_head || length > most) return {};
+  const Buffer bytes = read_at(file, offset, length);
+  if (bytes.size() != length || bytes[0] != static_cast<std::uint8_t>(Opcode::attachment))
+    return {};
+  return decode(Opcode::attachment, Bytes(bytes).subspan(record_head));
+}
+
+}  // namespace
+
 std::vector<Record> definitions(std::istream& file, std::uint64_t size) {
   constexpr std::size_t footer = record_head + 2 * sizeof(std::uint64_t) + sizeof(std::uint32_t);
   constexpr std::uint64_t most = 64u << 20;
@@ -84,8 +100,11 @@ std::vector<Record> definitions(std::istream& file, std::uint64_t size) {
   while (records.good()) {
     const auto opcode = static_cast<Opcode>(records.number<std::uint8_t>());
     const Bytes content = records.bytes(records.number<std::uint64_t>());
-    if (!records.good() || (opcode != Opcode::schema && opcode != Opcode::channel)) continue;
-    if (auto record = decode(opcode, content)) found.push_back(std::move(*record));
+    if (!records.good()) continue;
+    std::optional<Record> record;
+    if (opcode == Opcode::schema || opcode == Opcode::channel) record = decode(opcode, content);
+    if (opcode == Opcode::attachment_index) record = attachment_at(file, content);
+    if (record) found.push_back(std::move(*record));
   }
   return found;
 }

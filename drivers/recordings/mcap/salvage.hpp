@@ -13,8 +13,8 @@ namespace drydock::mcap {
 /// there is none before `size`, the end of the file. Moves the stream's position.
 std::optional<std::uint64_t> find_chunk(std::istream& file, std::uint64_t from, std::uint64_t size);
 
-/// Schemas and channels as the summary at the end of a file of `size` bytes repeats them. Empty if
-/// the end is cut or damaged. Moves the stream's position.
+/// Schemas and channels as the summary at the end of a file of `size` bytes repeats them, and the
+/// attachments that it points at. Empty if the end is cut or damaged. Moves the stream's position.
 std::vector<Record> definitions(std::istream& file, std::uint64_t size);
 
 }  // namespace drydock::mcap

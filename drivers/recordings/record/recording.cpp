@@ -76,6 +76,10 @@ boost::system::result<Recording, RecordingError> Recording::open(std::unique_ptr
     recording.note(std::move(*record));
     if (!recording.damage_.empty()) return RecordingError{path + ": " + recording.damage_};
   }
+  // Other programs that cut or sort a file write a channel when it first speaks, attachments last.
+  if (recording.first_)
+    for (auto& record : recording.reader_.summary()) recording.note(std::move(record));
+  recording.is_open_ = true;
   if (!recording.first_ && recording.channels_.empty() && !recording.damage().empty())
     return RecordingError{path + ": " + recording.damage()};
   return recording;
@@ -96,8 +100,9 @@ void Recording::note(mcap::Record&& record) {
     keep(schemas_[schema->id], std::move(*schema));
   } else if (auto* channel = std::get_if<mcap::Channel>(&record)) {
     note_channel(std::move(*channel));
-  } else if (auto* attachment = std::get_if<mcap::Attachment>(&record)) {
-    keep(attachments_.emplace_back(), std::move(*attachment));
+  } else if (auto* attachment_of_file = std::get_if<mcap::Attachment>(&record)) {
+    if (attachment(attachment_of_file->name).empty())
+      keep(attachments_.emplace_back(), std::move(*attachment_of_file));
   } else if (auto* metadata = std::get_if<mcap::Metadata>(&record)) {
     keep(metadata_.emplace_back(), std::move(*metadata));
   }
@@ -105,12 +110,17 @@ void Recording::note(mcap::Record&& record) {
 
 void Recording::note_channel(mcap::Channel&& channel) {
   const auto& type = schemas_[channel.schema].name;
-  if (channel.topic.starts_with(raw_prefix) && (type == raw_bytes_type || type == can_frame_type) &&
-      !link_of_.contains(channel.id)) {
-    link_of_[channel.id] = links_.size();
-    links_.push_back({value_of(channel.metadata, "link"),
-                      channel.topic.substr(channel.topic.rfind('/') + 1), type == can_frame_type,
-                      split(value_of(channel.metadata, "devices"))});
+  const bool is_raw =
+      channel.topic.starts_with(raw_prefix) && (type == raw_bytes_type || type == can_frame_type);
+  if (is_raw && !link_of_.contains(channel.id)) {
+    if (is_open_) {
+      late_links_.insert(channel.id);
+    } else {
+      link_of_[channel.id] = links_.size();
+      links_.push_back({value_of(channel.metadata, "link"),
+                        channel.topic.substr(channel.topic.rfind('/') + 1), type == can_frame_type,
+                        split(value_of(channel.metadata, "devices"))});
+    }
   }
   const auto id = channel.id;
   keep(channels_[id], std::move(channel));
@@ -130,7 +140,7 @@ std::optional<std::size_t> Recording::link_of(std::uint16_t channel) const {
 std::vector<const mcap::Channel*> Recording::understood() const {
   std::vector<const mcap::Channel*> all;
   for (const auto& [id, channel] : channels_)
-    if (!link_of_.contains(id)) all.push_back(&channel);
+    if (!link_of_.contains(id) && !late_links_.contains(id)) all.push_back(&channel);
   return all;
 }
 
@@ -143,6 +153,7 @@ std::optional<Event> Recording::event_of(const mcap::Message& message) {
   const auto channel = channels_.find(message.channel);
   if (channel == channels_.end()) return {};
   const auto link = link_of_.find(message.channel);
+  if (late_links_.contains(message.channel)) return {};
   if (link == link_of_.end()) {
     return Understood{&channel->second, &schemas_[channel->second.schema], stamp_of(message),
                       message.data};
@@ -170,6 +181,10 @@ std::string Recording::clock_note() const {
   if (beyond_ > 0)
     note += (note.empty() ? "" : "; ") + std::to_string(beyond_) +
             " messages have times after 2116, which are taken as 2116";
+  if (!late_links_.empty())
+    note += (note.empty() ? "" : "; ") + std::to_string(late_links_.size()) +
+            " links begin behind other data of a file without a summary and are not read (drydock "
+            "recover writes a summary)";
   return note;
 }
 

@@ -2,6 +2,7 @@
 
 #include <boost/system/result.hpp>
 #include <map>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -56,7 +57,7 @@ class Recording {
   static boost::system::result<Recording, RecordingError> open(std::unique_ptr<std::istream> file,
                                                                const std::string& name);
 
-  /// Known from the start, unless the file ends before its first message.
+  /// All that stand before the first message or in the summary. Others are not read.
   const std::vector<RecordedLink>& links() const { return links_; }
   const std::vector<mcap::Attachment>& attachments() const { return attachments_; }
   const std::vector<mcap::Metadata>& metadata() const { return metadata_; }
@@ -78,7 +79,8 @@ class Recording {
   /// Use it after the end. Empty, or one line that says where the file is truncated or damaged.
   const std::string& damage() const { return damage_.empty() ? reader_.damage() : damage_; }
   /// How the times of what was read so far were changed: as capture::SteadyTimes::in_words(), and
-  /// how many are later than any clock's. Empty: they are those of the file.
+  /// how many are later than any clock's; and links that begin too late. Empty: there is nothing
+  /// to tell.
   std::string clock_note() const;
   std::uint64_t unreadable() const { return unreadable_; }  ///< raw, not decoded
 
@@ -93,6 +95,8 @@ class Recording {
 
   mcap::Reader reader_;
   std::vector<RecordedLink> links_;
+  std::set<std::uint16_t> late_links_;  ///< channels of links that nobody knew at the beginning
+  bool is_open_ = false;
   std::vector<mcap::Attachment> attachments_;
   std::vector<mcap::Metadata> metadata_;
   std::map<std::uint16_t, mcap::Schema> schemas_;

@@ -5,8 +5,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 #include <sstream>
 
+#include "drivers/recordings/mcap/encoder.hpp"
 #include "drivers/recordings/record/recover.hpp"
 #include "tests/drivers/recordings/mcap/read_back.hpp"
 
@@ -50,6 +53,74 @@ std::filesystem::path written(const std::string& content) {
   const auto path = std::filesystem::path(testing::TempDir()) / "drydock-recording.mcap";
   std::ofstream(path, std::ios::binary) << content;
   return path;
+}
+
+/// The same file as other programs write it that cut or sort recordings: a channel stands in front
+/// of its own first message, attachments behind all of them.
+std::string rewritten(const std::string& file, bool with_summary) {
+  mcap::Reader reader(std::make_unique<std::istringstream>(file));
+  mcap::Buffer out(mcap::magic.begin(), mcap::magic.end());
+  mcap::encode(out, mcap::Header{"", "another program"});
+  std::map<std::uint16_t, mcap::Schema> schemas;
+  std::map<std::uint16_t, mcap::Channel> channels;
+  std::vector<mcap::Attachment> attachments;
+  std::set<std::uint16_t> begun;
+  while (const auto record = reader.next()) {
+    if (const auto* schema = std::get_if<mcap::Schema>(&*record)) schemas[schema->id] = *schema;
+    if (const auto* one = std::get_if<mcap::Channel>(&*record)) channels[one->id] = *one;
+    if (const auto* one = std::get_if<mcap::Attachment>(&*record)) attachments.push_back(*one);
+    const auto* message = std::get_if<mcap::Message>(&*record);
+    if (message == nullptr) continue;
+    if (begun.insert(message->channel).second) {
+      mcap::encode(out, schemas.at(channels.at(message->channel).schema));
+      mcap::encode(out, channels.at(message->channel));
+    }
+    mcap::encode(out, *message);
+  }
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> places;
+  for (const auto& attachment : attachments) {
+    const auto at = out.size();
+    mcap::encode(out, attachment);
+    places.emplace_back(at, out.size() - at);
+  }
+  mcap::Encoder encoder(out);
+  encoder.record(mcap::Opcode::data_end, [&] { encoder.number(std::uint32_t{0}); });
+  const std::uint64_t summary = with_summary ? out.size() : 0;
+  if (with_summary) {
+    for (const auto& [id, schema] : schemas) mcap::encode(out, schema);
+    for (const auto& [id, channel] : channels) mcap::encode(out, channel);
+    for (const auto& place : places)
+      encoder.record(mcap::Opcode::attachment_index,
+                     [&] { encoder.number(place.first).number(place.second); });
+  }
+  encoder.record(mcap::Opcode::footer, [&] {
+    encoder.number(summary).number(std::uint64_t{0}).number(std::uint32_t{0});
+  });
+  out.insert(out.end(), mcap::magic.begin(), mcap::magic.end());
+  return {out.begin(), out.end()};
+}
+
+TEST(Recording, OfAnotherProgramIsReadByItsSummary) {
+  auto recording = Recording::open(written(rewritten(recorded(5), true))).value();
+  ASSERT_EQ(recording.links().size(), 2U);
+  EXPECT_EQ(recording.attachment("rig.toml"), "[rig]\n");
+  std::array<int, 2> of_link{};
+  while (const auto event = recording.next())
+    if (const auto* raw = std::get_if<RawEvent>(&*event)) ++of_link.at(raw->link);
+  EXPECT_EQ(of_link, (std::array{50, 50}));
+  EXPECT_EQ(recording.damage(), "");
+  EXPECT_EQ(recording.clock_note(), "");
+}
+
+TEST(Recording, LinksThatNobodyKnewAtTheBeginningAreLeftOutAndTold) {
+  auto recording = Recording::open(written(rewritten(recorded(5), false))).value();
+  ASSERT_EQ(recording.links().size(), 1U);
+  int raw = 0;
+  while (const auto event = recording.next()) raw += std::holds_alternative<RawEvent>(*event);
+  EXPECT_EQ(raw, 50);
+  EXPECT_EQ(recording.links().size(), 1U);
+  EXPECT_EQ(recording.unreadable(), 50U);
+  EXPECT_THAT(recording.clock_note(), testing::HasSubstr("1 links begin behind other data"));
 }
 
 TEST(Recording, GivesBackEveryByteAndFrameInOrderWithItsTime) {
