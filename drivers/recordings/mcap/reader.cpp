@@ -77,6 +77,9 @@ std::optional<Record> Reader::damaged(std::string_view what) {
 void Reader::note_loss() {
   if (!lost_ && places_ == 0) {
     definitions_ = definitions(*file_, size_);
+    std::erase_if(definitions_, [](const Record& one) {  // those come at their own places
+      return std::holds_alternative<Attachment>(one);
+    });
     std::ranges::reverse(definitions_);
   }
   lost_ = true;
