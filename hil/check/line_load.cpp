@@ -87,6 +87,7 @@ std::string warning_of(const Line& line, const wire::LineRate& rate) {
     fits +=
         fmt::format("{}rate_hz = {:.2g}", fits.empty() ? "" : " or ",
                     std::floor(10 * line.highest_rate_hz * carries / line.bytes_per_second) / 10);
+  if (fits.empty()) fits = "no usual rate; let the sensors say less";
   return fmt::format(
       "warning: {} sends {:.0f} bytes a second and the line carries {:.0f}, so samples are lost; "
       "what fits: {}",
