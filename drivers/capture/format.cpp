@@ -27,13 +27,14 @@ std::unique_ptr<Reader> make() {
 }
 
 template <class R>
-std::optional<std::size_t> magic(Bytes head, std::size_t, bool) {
-  return R::recognises(head) ? std::optional<std::size_t>(0) : std::nullopt;
+std::optional<std::size_t> magic(Bytes head, std::size_t, std::size_t before, bool) {
+  return before > 0 && R::recognises(head) ? std::optional<std::size_t>(0) : std::nullopt;
 }
 
 template <class R>
-std::optional<std::size_t> first_good_line(Bytes head, std::size_t from, bool is_whole_file) {
-  for (std::size_t at = from; at < head.size();) {
+std::optional<std::size_t> first_good_line(Bytes head, std::size_t from, std::size_t before,
+                                           bool is_whole_file) {
+  for (std::size_t at = from; at < before;) {
     const Scan scan = scan_line(head.subspan(at), is_whole_file);
     if (scan.kind == Scan::Kind::need_more) break;
     const std::string_view line = text_of(head.subspan(at, scan.size));
@@ -90,8 +91,8 @@ const Format* recognise(Bytes head, bool is_whole_file, std::size_t from) {
   const Format* first = nullptr;
   std::size_t first_at = head.size();
   for (const Format& format : all) {
-    const auto at = format.first_sign(head, from, is_whole_file);
-    if (!at || (first != nullptr && *at >= first_at)) continue;
+    const auto at = format.first_sign(head, from, first_at, is_whole_file);
+    if (!at) continue;
     first = &format;
     first_at = *at;
   }

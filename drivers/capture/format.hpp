@@ -13,9 +13,10 @@ namespace drydock::capture {
 struct Format {
   std::string_view name;
   std::unique_ptr<Reader> (*make)();
-  /// Searches the head of a file for this format: a magic, or a line of it at `from` or later.
-  /// Gives the position of the first sign. Empty if there is none.
-  std::optional<std::size_t> (*first_sign)(Bytes head, std::size_t from, bool is_whole_file);
+  /// Searches the head of a file for this format: a magic, or a line of it at `from` or later, but
+  /// before `before`. Gives the position of the first sign. Empty if there is none.
+  std::optional<std::size_t> (*first_sign)(Bytes head, std::size_t from, std::size_t before,
+                                           bool is_whole_file);
 };
 
 std::span<const Format> formats();
