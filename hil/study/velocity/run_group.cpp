@@ -27,8 +27,9 @@ std::span<const Registers> registers() {
   static const std::vector<Registers> kinds = [] {
     std::vector<Registers> all{{"off", 1, one_by_one}};
 #ifndef __FMA__  // else a double alone is rounded otherwise: a build for one processor has no lanes
+#ifndef DRYDOCK_WIDE_REGISTERS
     all.push_back({"sse2", 2, by_sse2});
-#ifdef DRYDOCK_WIDE_REGISTERS  // else the build has none
+#else
     if (__builtin_cpu_supports("avx2")) all.push_back({"avx2", 4, by_avx2});
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl"))
