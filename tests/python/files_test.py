@@ -27,7 +27,7 @@ class Files(unittest.TestCase):
     def test_a_calibration_is_that_of_the_program(self):
         with tempfile.TemporaryDirectory() as folder:
             dive, file = pathlib.Path(folder, "dive.mcap"), pathlib.Path(folder, "calibration.json")
-            drydock.run(ROOT / "rig_config/rigs/shelf.toml", 300, record=dive)
+            drydock.run(ROOT / "rig_config/rigs/shelf.toml", 60, record=dive)
             file.write_text(said("calibrate", dive, "--json"))
             read, made = drydock.read_calibration(file), drydock.calibrate(dive)
         self.assertGreater(len(read["findings"]["value"]), 3)

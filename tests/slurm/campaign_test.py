@@ -71,11 +71,13 @@ class Campaign:
         return sum(path.read_text().count("\n") for path in self.out.glob("runs/*.journal"))
 
 
-@unittest.skipUnless(os.geteuid() == 0 and shutil.which("slurmctld") and shutil.which("munged"),
-                     "needs slurm-wlm and munge, and root, who may start them")
+@unittest.skipUnless(os.geteuid() == 0, "needs root, who may start the daemons of a cluster")
 class Slurm(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
+        if not (shutil.which("slurmctld") and shutil.which("munged")):
+            absent = "slurm-wlm or munge is missing (.ci/packages-peers.txt)"
+            raise AssertionError(absent) if os.environ.get("CI") == "true" else unittest.SkipTest(absent)
         cls.room = tempfile.TemporaryDirectory(prefix="drydock-slurm-")
         cls.cluster = Cluster(cls.room.name).__enter__()
 

@@ -160,8 +160,8 @@ double mean_nees(double gap_s, double hold_s, bool depth) {
 }
 
 TEST(Gap, ItsErrorsAreNotLargerThanItsCovarianceSaysWhateverTheVehicleDid) {
-  for (const double gap_s : {60.0, 300.0, 1000.0, 5000.0})
-    for (const double hold_s : {2 * gap_s, gap_s / 2, gap_s / 5})
+  for (const double gap_s : {60.0, 700.0, 5000.0})
+    for (const double hold_s : {2 * gap_s, gap_s / 3})
       for (const bool depth : {false, true}) {
         const double nees = mean_nees(gap_s, hold_s, depth);
         EXPECT_LT(nees, 1.1) << gap_s << ' ' << hold_s << ' ' << depth;
