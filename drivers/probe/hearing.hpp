@@ -25,10 +25,12 @@ struct Hearing {
   bool from_silence = true;
   std::uint64_t burst = 0;
   link::Stamp last_byte{};
+  std::chrono::nanoseconds longest_silence{};  ///< between two bytes
 
   void feed(wire::Bytes bytes, link::Stamp at, bool seven_too) {
     if (burst == 0) from_silence = eight.bytes() == 0 || at - last_byte > silence;
     burst += bytes.size();
+    if (eight.bytes() > 0) longest_silence = std::max(longest_silence, at - last_byte);
     last_byte = at;
     constexpr std::size_t enough = 4096;
     const auto more = bytes.first(std::min(bytes.size(), enough - std::min(enough, head.size())));

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "drivers/link/can/can_interface.hpp"
+#include "drivers/link/can/slcan.hpp"
 #include "drivers/link/can/slcan_trouble.hpp"
 #include "drivers/link/clock.hpp"
 #include "drivers/wire/canopen/canopen_sdo.hpp"
@@ -60,10 +61,6 @@ void note_interface(const link::Uri& uri, ProbeReport& report) {
     report.notes.push_back(fmt::format("the controller is {}", found->state));
 }
 
-/// The rates with a command of slcan adapters, the most usual ones of vehicles first.
-constexpr std::array<unsigned, 9> rates{250'000, 500'000, 125'000, 1'000'000, 100'000,
-                                        50'000,  20'000,  10'000,  800'000};
-
 /// Only an slcan adapter can be told a rate, and at a wrong one it must not be active.
 bool searches_rate(const link::Uri& uri) {
   return uri.scheme == link::Scheme::slcan && uri.text_of("bitrate").empty();
@@ -96,10 +93,10 @@ class BusSearch {
 
   /// Listens at each rate for an equal share of the time. It stays where it hears a frame.
   Failure search_rate(const link::Uri& uri) {
-    const auto share = (search_.until - link::steady_now()) / rates.size();
+    const auto share = (search_.until - link::steady_now()) / link::slcan_search_order.size();
     Stamp leave_at = link::steady_now();
     Failure failure;
-    for (const unsigned rate : rates) {
+    for (const unsigned rate : link::slcan_search_order) {
       link::Uri with = uri;
       with.query["bitrate"] = std::to_string(rate);
       failure = hear(link::listening(with), leave_at += share);

@@ -16,7 +16,8 @@ import sys
 
 PACKAGE = os.environ.get("DRYDOCK_PORTS_PACKAGE", "linux-image-amd64")
 # Loaded at boot, in this order; each brings what it depends on.
-AT_BOOT = ["virtio_pci", "9pnet_virtio", "9p", "overlay", "virtio_console", "xhci-pci", "ftdi_sio", "can-raw", "kvaser_pci"]
+AT_BOOT = ["virtio_pci", "9pnet_virtio", "9p", "overlay", "virtio_console", "xhci-pci", "ftdi_sio", "can-raw", "kvaser_pci",
+           "vhci-hcd", "gs_usb", "usb_8dev"]
 FOLDERS = ["arch/x86/crypto", "crypto", "drivers/char", "drivers/net/can", "drivers/tty", "drivers/usb", "drivers/virtio", "fs/9p",
            "fs/fscache", "fs/netfs", "fs/overlayfs", "lib", "net/9p", "net/can"]
 HERE = pathlib.Path(__file__).resolve().parent

@@ -1,95 +1,74 @@
-// `drydock probe` on lines that carry bytes at their rate and turn them into others at a wrong one
-// (with-ports.py --paced). Each case has one sensor behind the 16550A and one behind the FTDI
-// adapter, at two rates and with two settings.
+// `drydock probe` on lines that carry bytes at their rate and turn them into others at a wrong one,
+// behind a 16550A and an FTDI adapter. Every rate and every frame of a byte:
+// tests/drivers/probe/setting_search_test.cpp, in virtual time.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <fstream>
-#include <vector>
+#include <future>
 
-#include "tests/vcan/process.hpp"
+#include "drivers/probe/probe_report.hpp"
+#include "tests/hil/survive/bench.hpp"
+#include "tests/ports/driver.hpp"
 
 namespace drydock::ports {
 namespace {
 
-using vcan::Process;
-
-/// `settings`: keys of the URI. `found`: those of them that a receiver can find out. It looks at
-/// the first stop bit alone, so a second one does not show.
-struct Sensor {
-  std::string kind, protocol, baud, settings, found;
-  std::string name() const { return baud + settings; }
-};
+/// `sent`: keys of the sensor's URI. `found`: those of them that a receiver can find out.
 struct Case {
-  Sensor uart, ftdi;
-  friend void PrintTo(const Case& c, std::ostream* out) {
-    *out << c.uart.name() << ", " << c.ftdi.name();
-  }
+  std::string protocol, ours, theirs, sent, found;
 };
 
-std::string device(const std::string& name, const Sensor& sensor, const std::string& port) {
-  return "\n[[device]]\nname = \"" + name + "\"\nkind = \"" + sensor.kind + "\"\nprotocol = \"" +
-         sensor.protocol + "\"\nlink = \"serial:" + port + "?emulated=1&baud=" + sensor.baud +
-         sensor.settings + "\"\nrate_hz = 5\n";
+rig_config::DeviceConfig sensor(const Case& line) {
+  auto config = fault::testing::speed_log("serial:" + line.theirs + "?emulated=1&" + line.sent);
+  config.name = line.theirs;
+  config.protocol = line.protocol;
+  if (line.protocol != "nmea0183") config.kind = rig_config::DeviceKind::dvl;
+  config.rate_hz = 5;
+  return config;
 }
 
-std::string rig_file(const Case& sensors) {
-  const std::string path = ::testing::TempDir() + "probed.toml";
-  std::ofstream(path) << "[rig]\nname = \"probed\"\nseed = 1\nstart = 2026-11-21T08:00:00Z\n"
-                         "mission = \"" DRYDOCK_SOURCE_DIR
-                         "/rig_config/missions/s-path.toml\"\n"
-                         "publish = false\n"
-                      << device("uart", sensors.uart, "/dev/ttyS2")
-                      << device("ftdi", sensors.ftdi, "/dev/ttyUSB1");
-  return path;
-}
-
-/// The probe's rig entry, or what it said instead. output_until() waits for 20 s at most.
-std::string found_by(Process& probe) {
+/// Those that were found; else what was said.
+std::string found_by(const probe::ProbeReport& report) {
   std::string said;
-  for (int i = 0; i < 3 && said.find("rate_hz") == said.npos; ++i)
-    said = probe.output_until("rate_hz");
+  for (const auto& device : report.devices) said += device.protocol + " " + device.link + "\n";
+  if (!said.empty()) return said;
+  for (const auto& note : probe::all_notes(report)) said += note + "\n";
   return said;
 }
 
-std::string entry(const Sensor& sensor, const std::string& port) {
-  return "protocol = \"" + sensor.protocol + "\"\nlink = \"serial:" + port +
-         "?baud=" + sensor.baud + sensor.found + "\"";
-}
-
-class APacedLine : public ::testing::TestWithParam<Case> {};
+/// QEMU's FTDI adapter has eight data bits whatever it is told, so seven are those of the 16550A.
+const Case uart{"nmea0183", "/dev/ttyS4", "/dev/ttyS5", "baud=9600&parity=even&bits=7",
+                "baud=9600&parity=even&bits=7"};
+const Case ftdi{"pd0", "/dev/ttyUSB2", "/dev/ttyUSB3", "baud=115200&parity=even",
+                "baud=115200&parity=even"};
 
 /// A machine in software on a busy host stands still at times, and a probe then hears too little.
 /// So each line is probed up to three times; what a probe says must be right.
-TEST_P(APacedLine, IsProbedToItsRateItsParityAndItsProtocol) {
-  Process emulator({DRYDOCK_PROGRAM, "emulate", rig_file(GetParam())});
-  ASSERT_NE(emulator.output_until("ftdi:").find("ftdi:"), std::string::npos);
-  const auto& [u, f] = GetParam();
-  std::string uart, ftdi;
-  const auto is_found = [](const std::string& said) { return said.find("rate_hz") != said.npos; };
-  for (int time = 0; time < 3 && !(is_found(uart) && is_found(ftdi)); ++time) {
-    Process on_uart({DRYDOCK_PROGRAM, "probe", "serial:/dev/ttyS1"});
-    Process on_ftdi({DRYDOCK_PROGRAM, "probe", "serial:/dev/ttyUSB0"});
-    uart = found_by(on_uart);
-    ftdi = found_by(on_ftdi);
-  }
-  EXPECT_NE(uart.find(entry(u, "/dev/ttyS1")), uart.npos) << uart;
-  EXPECT_NE(ftdi.find(entry(f, "/dev/ttyUSB0")), ftdi.npos) << ftdi;
+TEST(APacedLine, IsProbedToItsRateItsParityAndItsProtocol) {
+  runs_on({uart.ours, uart.theirs, ftdi.ours, ftdi.theirs});
+  boost::asio::io_context io;
+  rig_config::Rig rig;
+  rig.devices = {sensor(uart), sensor(ftdi)};
+  const motion::KinematicTrajectory trajectory({}, link::steady_now());
+  fault::Injector injector(rig, trajectory, trajectory.start());
+  emulate::RealTimeEmulator emulator(io, injector);
+  ASSERT_TRUE(emulator.start(rig.devices));
+  const auto probed = [](const Case& line) {
+    probe::ProbeReport report;
+    for (int time = 0; time < 3 && report.devices.empty(); ++time)
+      report = probe::find_sensors("serial:" + line.ours, 30);
+    return found_by(report);
+  };
+  auto on_uart = std::async(std::launch::async, probed, uart);
+  auto on_ftdi = std::async(std::launch::async, probed, ftdi);
+  const auto is_ready = [](auto& one) {
+    return one.wait_for(std::chrono::seconds{0}) == std::future_status::ready;
+  };
+  while (!is_ready(on_uart) || !is_ready(on_ftdi)) io.run_for(std::chrono::milliseconds{50});
+  emulator.stop();
+  io.run_for(std::chrono::seconds{5});
+  EXPECT_EQ(on_uart.get(), uart.protocol + " serial:" + uart.ours + "?" + uart.found + "\n");
+  EXPECT_EQ(on_ftdi.get(), ftdi.protocol + " serial:" + ftdi.ours + "?" + ftdi.found + "\n");
 }
-
-const std::string even = "&parity=even", seven = "&parity=even&bits=7", two_stops = "&stop=2";
-/// QEMU's FTDI adapter has eight data bits whatever it is told, so seven are those of the 16550A.
-const std::vector<Case> cases{
-    {{"dvl", "pd0", "115200", even, even}, {"emlog", "nmea0183", "4800", "", ""}},
-    {{"emlog", "nmea0183", "9600", seven, seven}, {"dvl", "pd0", "57600", two_stops, ""}},
-    {{"dvl", "pd0", "38400", "", ""}, {"emlog", "nmea0183", "19200", even, even}}};
-
-INSTANTIATE_TEST_SUITE_P(Rates, APacedLine, ::testing::ValuesIn(cases), [](const auto& one) {
-  std::string name = one.param.uart.name() + "_" + one.param.ftdi.name();
-  std::ranges::replace_if(
-      name, [](char c) { return c == '&' || c == '='; }, '_');
-  return name;
-});
 
 }  // namespace
 }  // namespace drydock::ports

@@ -8,6 +8,7 @@
 #include "drivers/link/uri.hpp"
 #include "rig_config/load.hpp"
 #include "tests/hil/survive/bench.hpp"
+#include "tests/ports/driver.hpp"
 #include "tests/test_name.hpp"
 
 namespace drydock::ports {
@@ -33,20 +34,35 @@ std::vector<Line> lines() {
   return {line};
 }
 
-/// The devices of the shipped rig with every protocol that have a line of their own.
+unsigned baud_of(const rig_config::DeviceConfig& device) {
+  return link::parse_uri(device.link)->baud().value_or(115200);
+}
+
+rig_config::DeviceConfig at_baud(rig_config::DeviceConfig device, unsigned baud) {
+  device.link = "serial:/dev/tty?baud=" + std::to_string(baud);
+  device.name += "_" + std::to_string(baud);
+  return device;
+}
+
+/// The devices of the shipped rig with every protocol that have a line of their own, each at its
+/// rate there. NMEA 0183 and UBX have more than one usual rate.
 std::vector<rig_config::DeviceConfig> byte_devices() {
   std::vector<rig_config::DeviceConfig> devices;
   for (const auto& device :
        rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/every-protocol.toml")
            .value()
-           .devices)
-    if (link::parse_uri(device.link)->carries() == link::Carries::bytes) devices.push_back(device);
+           .devices) {
+    if (link::parse_uri(device.link)->carries() != link::Carries::bytes) continue;
+    std::vector<unsigned> rates{baud_of(device)};
+    if (device.name == "emlog") rates = {4800, 9600};
+    if (device.name == "ubx") rates = {9600, 38400, 115200};
+    for (const unsigned baud : rates) devices.push_back(at_baud(device, baud));
+  }
   return devices;
 }
 
 rig_config::DeviceConfig on_port(rig_config::DeviceConfig device, const std::string& port) {
-  const unsigned baud = link::parse_uri(device.link)->baud().value_or(115200);
-  device.link = "serial:" + port + "?emulated=1&baud=" + std::to_string(baud);
+  device.link = "serial:" + port + "?emulated=1&baud=" + std::to_string(baud_of(device));
   return device;
 }
 
@@ -55,6 +71,7 @@ class EveryByteProtocol
 
 TEST_P(EveryByteProtocol, ComesThroughTheKernelsDriverWhole) {
   const auto& [line, device] = GetParam();
+  runs_on({line.ours, line.sensors});
   Bench bench(on_port(device, line.ours), on_port(device, line.sensors));
   ASSERT_TRUE(bench.reaches(State::streaming)) << bench.health().status.view();
   ASSERT_TRUE(bench.until([&] { return bench.messages >= 5; })) << bench.messages;

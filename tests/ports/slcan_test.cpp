@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/drivers/link/scripted_adapter.hpp"
+#include "tests/ports/driver.hpp"
 
 namespace drydock::ports {
 namespace {
@@ -36,6 +37,7 @@ TEST_P(AnAdapter, IsOpenedAndItsFrameHeard) {
   const auto& [ports, state] = GetParam();
   const std::string ours = std::string("/dev/tty") + ports,
                     theirs = ours == "/dev/ttyS1" ? "/dev/ttyS2" : "/dev/ttyUSB1";
+  runs_on({ours, theirs});
   boost::asio::io_context io;
   ScriptedAdapter adapter(io, "serial:" + theirs + "?emulated=1&baud=115200", state.answers,
                           state.otherwise);

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "tests/hil/survive/bench.hpp"
+#include "tests/ports/driver.hpp"
 #include "tests/ports/machine.hpp"
 #include "tests/vcan/process.hpp"
 
@@ -27,7 +28,10 @@ rig_config::DeviceConfig log_on(const std::string& port) {
 
 class Adapter : public ::testing::Test {
  protected:
-  void SetUp() override { ASSERT_TRUE(adapters_are_there()); }
+  void SetUp() override {
+    ASSERT_TRUE(adapters_are_there());
+    runs_on({"/dev/ttyUSB0", "/dev/ttyUSB1"});
+  }
 };
 
 TEST_F(Adapter, PulledOutAndPutInAgainStreamsWithinTwoSecondsOfItsReturn) {
@@ -62,6 +66,7 @@ TEST_F(Adapter, TheLinesBytesAreAccountedForAfterTheAdapterWent) {
 }
 
 TEST(Held, APortThatAnotherProgramHasLockedIsRefusedInALineThatSaysSo) {
+  runs_on({"/dev/ttyS1", "/dev/ttyS2"});
   const int other = ::open("/dev/ttyS1", O_RDWR | O_NOCTTY | O_CLOEXEC);
   ASSERT_GE(other, 0);
   ASSERT_EQ(::flock(other, LOCK_EX), 0);
@@ -74,6 +79,7 @@ TEST(Held, APortThatAnotherProgramHasLockedIsRefusedInALineThatSaysSo) {
 }
 
 TEST(Held, APortThatThisUserMayNotOpenIsRefusedInALineThatNamesTheGroup) {
+  runs_on({"/dev/ttyS1", "/dev/ttyS2"});
   constexpr uid_t nobody = 65534;
   ASSERT_EQ(::chmod("/dev/ttyS2", 0666), 0);  // the emulated sensor's end
   ASSERT_EQ(::seteuid(nobody), 0);
@@ -96,8 +102,19 @@ bool names_are_there() {
   return std::filesystem::exists(lasting_name("A")) && std::filesystem::exists(lasting_name("B"));
 }
 
+/// udev, and its names, as long as the object lives: programs that run later find none.
+struct Udev {
+  Udev() { EXPECT_EQ(vcan::run_program({"/usr/lib/systemd/systemd-udevd", "--daemon"}), 0); }
+  Udev(const Udev&) = delete;
+  Udev& operator=(const Udev&) = delete;
+  ~Udev() {
+    EXPECT_EQ(vcan::run_program({"udevadm", "control", "--exit"}), 0);
+    std::filesystem::remove_all("/dev/serial");
+  }
+};
+
 TEST_F(Adapter, ALastingNameFollowsTheAdapterWhenTheKernelsNamesChangePlaces) {
-  ASSERT_EQ(vcan::run_program({"/usr/lib/systemd/systemd-udevd", "--daemon"}), 0);
+  const Udev udev;
   ASSERT_EQ(vcan::run_program({"udevadm", "trigger", "--action=add", "--subsystem-match=usb",
                                "--subsystem-match=usb-serial", "--subsystem-match=tty"}),
             0);
@@ -121,6 +138,7 @@ TEST_F(Adapter, ALastingNameFollowsTheAdapterWhenTheKernelsNamesChangePlaces) {
 }
 
 TEST(LowLatency, IsSetAtTheAdapterWhoseTimerElseHoldsBytesBackFor16Milliseconds) {
+  runs_on({"/dev/ttyUSB0", "/dev/ttyUSB1"});
   const int fd = ::open("/dev/ttyUSB0", O_RDWR | O_NOCTTY | O_CLOEXEC);
   ASSERT_GE(fd, 0);
   serial_struct before{};

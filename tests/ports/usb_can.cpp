@@ -5,8 +5,8 @@
 namespace drydock::ports {
 
 UsbCan::UsbCan(const std::string& driver)
-    : orders_(::popen(("exec python3 -B " DRYDOCK_SOURCE_DIR "/tests/ports/usb_can.py " + driver +
-                       " >/dev/null")
+    : orders_(::popen(("exec python3 -B -S -E " DRYDOCK_SOURCE_DIR "/tests/ports/usb_can.py " +
+                       driver + " >/dev/null")
                           .c_str(),
                       "w")) {
   order("plug");

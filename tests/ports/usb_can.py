@@ -6,14 +6,16 @@ controllers lack: error states, bus-off, stamps of the controller, an adapter th
 standard input: plug | unplug | state CHANNEL NAME | late MILLISECONDS | fd CHANNEL | foreign CHANNEL COUNT
 late: every second frame reaches the kernel so much later than its stamp says.
   gs_usb     two channels on one bus, CAN FD, stamps of the controller (1 us)     usb_8dev   one channel, restart-ms"""
+import os
+import signal
 import socket
 import struct
-import subprocess
 import sys
 import threading
 import time
 
 VHCI = "/sys/devices/platform/vhci_hcd.0/"
+FREE = 4  # state of a port: VDEV_ST_NULL, linux/usbip.h
 SUBMIT, UNLINK = 1, 2  # Documentation/usb/usbip_protocol.rst
 STALL, UNLINKED = -32, -104
 NAMELESS = 0xFFFFFFFF  # gs_usb: a frame that the host did not send
@@ -22,9 +24,23 @@ BUS_OFF, RESTARTED, STATE = 0x20000040, 0x20000100, 0x20000204
 STATES = {"active": 0x40, "warning": 0x08, "passive": 0x20, "overflow": 0x01}
 
 
+def run(command):
+    """By the shell: the module `subprocess` takes a second to load under emulation."""
+    if os.system(command):
+        raise RuntimeError(command)
+
+
+def free_port():
+    """The first port of the virtual hub for high speed that nothing is plugged into."""
+    with open(VHCI + "status") as status:
+        rows = [line.split() for line in status][1:]
+    return next(int(row[1]) for row in rows if row[0] == "hs" and int(row[2]) == FREE)
+
+
 class Adapter:
     """A USB device behind the virtual port: the requests of enumeration, and queues of its bulk pipes."""
     product = "CAN adapter"
+    stays = False  # in its port when the orders have ended
 
     def __init__(self):
         self.lock = threading.RLock()
@@ -33,14 +49,15 @@ class Adapter:
     def plug(self):
         self.asked, self.ready, self.odd = {}, {}, False
         self.pipe, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+        self.port = free_port()
         with open(VHCI + "attach", "w") as port:
-            port.write(f"0 {theirs.fileno()} 65537 3")  # port, socket, device number, high speed
+            port.write(f"{self.port} {theirs.fileno()} 65537 3")  # port, socket, device number, high speed
         theirs.close()
         threading.Thread(target=self.serve, args=(self.pipe,), daemon=True).start()
 
     def unplug(self):
         with open(VHCI + "detach", "w") as port:
-            port.write("0")
+            port.write(str(self.port))
 
     def descriptor(self, what, number):
         if what == 1:
@@ -161,9 +178,17 @@ class GsUsb(Adapter):
 
 
 class Usb8dev(Adapter):
-    """linux/drivers/net/can/usb/usb_8dev.c: commands at pipe 4, frames at pipe 2; bus-off is the kernel's to end."""
+    """linux/drivers/net/can/usb/usb_8dev.c: commands at pipe 4, frames at pipe 2; bus-off is the kernel's to end.
+    Linux 6.1's driver frees its receive buffers twice where an adapter that was up is pulled out, and other programs then crash in
+    the kernel. So `unplug` only takes the interface down and its name away, and the adapter stays until the machine ends."""
+    stays = True
     vendor, model, pipes, product = 0x0483, 0x1234, (0x81, 0x02, 0x83, 0x04), "USB2CAN converter"
     NAMES = {"active": 0, "overflow": 1, "warning": 2, "passive": 3, "off": 4}
+
+    def unplug(self):
+        for name in os.listdir("/sys/class/net"):
+            if name.startswith("can") and os.path.realpath(f"/sys/class/net/{name}/device/driver").endswith("usb_8dev"):
+                run(f"ip link set {name} down && ip link set {name} name left{self.port}")
 
     def order(self, request, value, data):
         return b""
@@ -196,12 +221,26 @@ def obey(adapter, order, *words):
         raise ValueError(order)
 
 
-def main():
-    adapter = {"gs_usb": GsUsb, "usb_8dev": Usb8dev}[sys.argv[1]]()
-    subprocess.run(["modprobe", "-a", "vhci-hcd", sys.argv[1]], check=True)
+def serve_orders(adapter):
     for line in sys.stdin:
         obey(adapter, *line.split())
         print("done", line.strip(), flush=True)
+
+
+def serve_and_stay(adapter):
+    """A child serves the adapter for ever; this program ends with the orders."""
+    ours, theirs = os.pipe()
+    if os.fork():
+        os.close(theirs)
+        sys.exit(0 if os.read(ours, 1) else 1)
+    serve_orders(adapter)
+    os.write(theirs, b"0")
+    signal.pause()
+
+
+def main():
+    adapter = {"gs_usb": GsUsb, "usb_8dev": Usb8dev}[sys.argv[1]]()
+    (serve_and_stay if adapter.stays else serve_orders)(adapter)
 
 
 main()

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <thread>
 
 #include "drivers/link/can/can_interface.hpp"
 #include "tests/ports/can.hpp"
+#include "tests/ports/driver.hpp"
 #include "tests/ports/usb_can.hpp"
 
 namespace drydock::ports {
@@ -29,21 +31,31 @@ bool eventually(Done&& done) {
   return done();
 }
 
+/// One adapter for all of its tests: its program takes seconds to start under emulation.
 class GsUsb : public ::testing::Test {
  protected:
+  static void SetUpTestSuite() { adapter_ = std::make_unique<UsbCan>("gs_usb"); }
+  static void TearDownTestSuite() { adapter_.reset(); }
   void SetUp() override {
     ASSERT_TRUE(eventually([] { return is_there("can2") && is_there("can3"); }));
+    runs_on({"can2", "can3"});
     for (const char* name : {"can2", "can3"})
       bring_up(name, "bitrate 250000 dbitrate 1000000 fd on");
   }
-  UsbCan adapter_{"gs_usb"};
+  void TearDown() override {
+    for (const char* name : {"can2", "can3"}) EXPECT_FALSE(link::set_interface_up(name, false));
+  }
+  static void order(const std::string& line) { adapter_->order(line); }
+
+ private:
+  static inline std::unique_ptr<UsbCan> adapter_;
 };
 
 TEST_F(GsUsb, TheControllersStampsTakeOutTheTimeThatTheAdapterNeeds) {
-  adapter_.order("late 40");
+  order("late 40");
   Bench bench(depth_on("can2"), depth_on("can3"));
   ASSERT_TRUE(bench.reaches(State::streaming)) << bench.health().status.view();
-  ASSERT_TRUE(bench.until([&] { return bench.received.size() >= 40; }));
+  ASSERT_TRUE(bench.until([&] { return bench.received.size() >= 26; }));
   EXPECT_NE(bench.health().link_note.view().find("controller"), std::string_view::npos)
       << bench.health().link_note.view();
   // Every second frame of a 10 Hz sensor arrives 40 ms late: by arrival, one interval and the next
@@ -51,16 +63,17 @@ TEST_F(GsUsb, TheControllersStampsTakeOutTheTimeThatTheAdapterNeeds) {
   std::vector<double> differences_s;
   const auto& at = bench.received;
   const auto s = [](auto time) { return std::chrono::duration<double>(time).count(); };
-  for (std::size_t i = at.size() - 22; i + 2 < at.size(); ++i)
+  for (std::size_t i = at.size() - 16; i + 2 < at.size(); ++i)
     differences_s.push_back(std::abs(s(at[i + 2] - at[i + 1]) - s(at[i + 1] - at[i])));
-  std::ranges::nth_element(differences_s, differences_s.begin() + 10);
-  EXPECT_LT(differences_s[10], 0.04);
+  std::ranges::nth_element(differences_s, differences_s.begin() + 7);
+  EXPECT_LT(differences_s[7], 0.04);
+  order("late 0");
 }
 
 TEST_F(GsUsb, CanFdFramesOfOthersAreHeardWithoutHarm) {
   Bench bench(depth_on("can2"), depth_on("can3"));
   ASSERT_TRUE(bench.reaches(State::streaming));
-  for (int i = 0; i < 10; ++i) adapter_.order("fd 0");
+  for (int i = 0; i < 10; ++i) order("fd 0");
   EXPECT_TRUE(bench.hears_again());
   EXPECT_EQ(bench.states.back(), State::streaming);
   EXPECT_EQ(bench.health().stream.bad_checksums, 0u);
@@ -70,14 +83,14 @@ TEST_F(GsUsb, CanFdFramesOfOthersAreHeardWithoutHarm) {
 TEST_F(GsUsb, AnErrorPassiveControllerAndABusThatIsOffAreNamed) {
   Bench bench(depth_on("can2"), depth_on("can3"));
   ASSERT_TRUE(bench.reaches(State::streaming));
-  adapter_.order("state 0 passive");
+  order("state 0 passive");
   ASSERT_TRUE(bench.until([&] { return says(bench.health(), "passive"); }))
       << bench.health().last_error.view();
-  adapter_.order("state 0 off");
+  order("state 0 off");
   ASSERT_TRUE(bench.until([&] { return says(bench.health(), "bus-off"); }))
       << bench.health().last_error.view();
   EXPECT_EQ(link::find_can_interface("can2")->state, "BUS-OFF");
-  adapter_.order("state 0 restarted");
+  order("state 0 restarted");
   EXPECT_TRUE(bench.hears_again());
   EXPECT_EQ(bench.health().error_frames, 3u);
 }
@@ -85,7 +98,7 @@ TEST_F(GsUsb, AnErrorPassiveControllerAndABusThatIsOffAreNamed) {
 TEST_F(GsUsb, AControllerThatLostFramesSaysSo) {
   Bench bench(depth_on("can2"), depth_on("can3"));
   ASSERT_TRUE(bench.reaches(State::streaming));
-  adapter_.order("state 0 overflow");
+  order("state 0 overflow");
   ASSERT_TRUE(bench.until([&] { return says(bench.health(), "overflow"); }))
       << bench.health().last_error.view();
   EXPECT_TRUE(bench.hears_again());
@@ -95,13 +108,13 @@ TEST_F(GsUsb, AnAdapterPulledOutAndPutInAgainStreamsAsSoonAsItIsUp) {
   Bench bench(depth_on("can2"), depth_on("can3"));
   for (int time = 1; time <= 2; ++time) {
     ASSERT_TRUE(bench.reaches(State::streaming)) << bench.health().status.view();
-    adapter_.order("unplug");
+    order("unplug");
     ASSERT_TRUE(bench.until([] { return !is_there("can2"); }));
     ASSERT_TRUE(bench.reaches(State::backing_off));
     ASSERT_TRUE(bench.until([&] {
       return bench.lines.back().find("no CAN interface") != std::string::npos;
     })) << bench.lines.back();
-    adapter_.order("plug");
+    order("plug");
     ASSERT_TRUE(bench.until([] { return is_there("can2") && is_there("can3"); }));
     for (const char* name : {"can2", "can3"}) bring_up(name, "bitrate 250000");
     ASSERT_TRUE(bench.reaches(State::streaming)) << bench.health().status.view();
@@ -112,6 +125,7 @@ TEST_F(GsUsb, AnAdapterPulledOutAndPutInAgainStreamsAsSoonAsItIsUp) {
 TEST(Usb8dev, TheKernelRestartsAControllerThatWentBusOff) {
   UsbCan adapter("usb_8dev");
   ASSERT_TRUE(eventually([] { return is_there("can2"); }));
+  runs_on({"can2"});
   bring_up("can2", "bitrate 250000 restart-ms 100");
   Bench bench(depth_on("can2"), depth_on("can2"));
   ASSERT_TRUE(bench.reaches(State::streaming)) << bench.health().status.view();
