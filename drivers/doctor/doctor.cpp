@@ -53,6 +53,7 @@ void make_unique(std::vector<std::string>& names) {
 Needs needs_of(const rig_config::Rig& rig) {
   Needs needs;
   needs.whole_machine = false;
+  needs.rig_file = rig.file;
   needs.dds = rig.publish;
   for (const auto& device : rig.devices)
     if (const auto uri = link::parse_uri(device.link)) add_link(*uri, needs);
@@ -70,6 +71,7 @@ std::vector<Diagnosis> diagnose(const std::string& root, const Needs& needs) {
   add(check_names(root, needs));
   add(check_holders(root, needs));
   add(check_latency(root, needs));
+  add(check_drivers(root, needs));
   add(check_can(root, needs));
   add(check_network(root, needs));
   add(check_limits(root));

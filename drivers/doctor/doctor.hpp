@@ -28,6 +28,7 @@ struct Diagnosis {
 /// What a rig needs from the machine.
 struct Needs {
   bool whole_machine = true;       ///< no rig was named: check all, report little as wrong
+  std::string rig_file;            ///< whose text an advice may change; empty: there is none
   std::vector<std::string> ports;  ///< device paths of serial and slcan links
   std::vector<std::string> buses;  ///< CAN interfaces of socketcan links
   std::map<std::string, unsigned>
@@ -45,6 +46,8 @@ std::vector<Diagnosis> check_holders(const std::string& root, const Needs& needs
 std::vector<Diagnosis> check_names(const std::string& root, const Needs& needs);
 std::vector<Diagnosis> check_latency(const std::string& root, const Needs& needs);
 std::vector<Diagnosis> check_can(const std::string& root, const Needs& needs);
+/// Serial and CAN adapters that are plugged in, but whose module is not loaded.
+std::vector<Diagnosis> check_drivers(const std::string& root, const Needs& needs);
 std::vector<Diagnosis> check_network(const std::string& root, const Needs& needs);
 std::vector<Diagnosis> check_limits(const std::string& root);
 std::vector<Diagnosis> check_disk(const std::string& folder);

@@ -109,6 +109,17 @@ constexpr std::array grabbers{
             "brltty runs: it takes new serial adapters (CH340, CP210x) for braille displays",
             "sudo systemctl mask --now brltty.service brltty-udev.service"}};
 
+/// One word for a shell, whatever the name of the file is.
+std::string in_shell_quotes(const std::string& name) {
+  std::string quoted = "'";
+  for (const char c : name)
+    if (c == '\'')
+      quoted += R"('\'')";
+    else
+      quoted += c;
+  return quoted + "'";
+}
+
 }  // namespace
 
 PortAccess access_of(const std::string& root, const std::string& path) {
@@ -154,10 +165,12 @@ std::vector<Diagnosis> check_names(const std::string& root, const Needs& needs) 
     if (!port.by_id.empty() && std::ranges::find(needs.ports, port.path) != needs.ports.end())
       found.push_back(
           {"names", Fitness::advice,
-           fmt::format(
-               "{} may be another adapter after the next plugging; in the rig write serial:{}",
-               port.path, port.by_id),
-           ""});
+           fmt::format("{} may be another adapter after the next plugging; its name that stays is "
+                       "{}",
+                       port.path, port.by_id),
+           needs.rig_file.empty() ? std::string()
+                                  : fmt::format(R"(sed -i 's|{}\b|{}|' {})", port.path, port.by_id,
+                                                in_shell_quotes(needs.rig_file))});
   return found;
 }
 

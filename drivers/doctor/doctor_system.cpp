@@ -10,6 +10,7 @@
 
 #include "drivers/doctor/doctor.hpp"
 #include "drivers/doctor/ports.hpp"
+#include "drivers/link/can/interface_commands.hpp"
 
 namespace drydock::doctor {
 namespace {
@@ -37,13 +38,6 @@ Diagnosis check_module(const std::string& root, const std::string& name, bool ne
           name + " is not loaded: " + what_for, "sudo modprobe " + name};
 }
 
-/// The command that sets an interface of a controller up at this rate, whatever it does now.
-std::string set_up(const std::string& name, unsigned bitrate) {
-  return fmt::format(
-      "sudo ip link set {0} down; sudo ip link set {0} up type can bitrate {1} restart-ms 100",
-      name, bitrate);
-}
-
 /// Linux gives a CAN interface a queue of 10 frames: a burst of two devices fills it.
 std::optional<Diagnosis> check_queue(const std::string& root, const std::string& name) {
   constexpr unsigned too_short = 100, enough = 1000;
@@ -57,7 +51,7 @@ std::optional<Diagnosis> check_queue(const std::string& root, const std::string&
       fmt::format("sudo ip link set {} txqueuelen {}", name, enough)};
 }
 
-Diagnosis check_bus(const std::string& name, const Needs& needs,
+Diagnosis check_bus(const std::string& root, const std::string& name, const Needs& needs,
                     const std::vector<CanPort>& ports) {
   const auto port = std::ranges::find(ports, name, &CanPort::name);
   const bool is_virtual = name.starts_with("vcan");
@@ -66,20 +60,20 @@ Diagnosis check_bus(const std::string& name, const Needs& needs,
   if (needs.bitrates.contains(name)) wanted = needs.bitrates.at(name);
   if (port == ports.end())
     return {"CAN", Fitness::wrong, "there is no CAN interface " + name,
-            is_virtual
-                ? fmt::format("sudo ip link add {} type vcan && sudo ip link set {} up", name, name)
-                : "ip -details link show type can"};
+            is_virtual ? fmt::format("sudo ip link add {} type vcan && {}", name,
+                                     link::command_to_set_up_virtual(name))
+                       : "ip -details link show type can"};
   if (!port->up)
     return {"CAN", Fitness::wrong, name + " is down",
-            is_virtual ? fmt::format("sudo ip link set {} up", name)
-                       : set_up(name, wanted.value_or(usual_bitrate))};
+            is_virtual ? link::command_to_set_up_virtual(name)
+                       : link::command_to_set_up(name, wanted.value_or(usual_bitrate), root)};
   if (port->state == "BUS-OFF")
     return {"CAN", Fitness::wrong, name + " is bus-off: it takes no part in the bus",
-            fmt::format("sudo ip link set {} type can restart", name)};
+            link::command_to_restart(name)};
   if (wanted && port->bitrate && *port->bitrate != *wanted)
     return {"CAN", Fitness::wrong,
             fmt::format("{} runs at {} bit/s, the rig says {}", name, *port->bitrate, *wanted),
-            set_up(name, *wanted)};
+            link::command_to_set_up(name, *wanted, root)};
   const std::string rate = port->bitrate ? fmt::format(" at {} bit/s", *port->bitrate) : "";
   return {"CAN", Fitness::ok, name + " is up" + rate, ""};
 }
@@ -108,7 +102,7 @@ std::vector<Diagnosis> check_can(const std::string& root, const Needs& needs) {
   if (needs.whole_machine)
     for (const auto& port : ports) buses.push_back(port.name);
   for (const auto& bus : buses) {
-    found.push_back(check_bus(bus, needs, ports));
+    found.push_back(check_bus(root, bus, needs, ports));
     if (const auto queue = check_queue(root, bus)) found.push_back(*queue);
   }
   return found;
@@ -129,23 +123,6 @@ std::vector<Diagnosis> check_network(const std::string& root, const Needs& needs
              "this machine may not find each other",
              "sudo ip link set lo multicast on"}};
   return {{"DDS", Fitness::ok, "the loopback interface carries multicast", ""}};
-}
-
-std::vector<Diagnosis> check_limits(const std::string& root) {
-  std::ifstream in(fs::path(root) / "proc/self/limits");
-  constexpr std::string_view name = "Max realtime priority";
-  for (std::string line; std::getline(in, line);) {
-    if (!line.starts_with(name)) continue;
-    std::istringstream words(line.substr(name.size()));
-    std::string soft;
-    words >> soft;
-    if (soft != "0")
-      return {
-          {"real time", Fitness::ok, "real-time priorities up to " + soft + " are allowed", ""}};
-  }
-  return {{"real time", Fitness::advice,
-           "no real-time priorities: emulated devices may be late on a busy machine",
-           "echo \"$USER - rtprio 50\" | sudo tee /etc/security/limits.d/drydock.conf"}};
 }
 
 std::vector<Diagnosis> check_disk(const std::string& folder) {

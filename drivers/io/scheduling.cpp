@@ -28,11 +28,12 @@ boost::system::result<void, SchedulingError> claim(const Scheduling& wanted) {
   }
   if (::mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
     return refused("to lock the memory",
-                   " (allow it with 'ulimit -l unlimited', or LimitMEMLOCK=infinity in a unit)");
+                   " ('drydock doctor' says how to allow it; in a unit LimitMEMLOCK=infinity)");
   const sched_param parameters{.sched_priority = wanted.priority};
   if (::sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &parameters) != 0) {
-    const auto error = refused("SCHED_FIFO at priority " + std::to_string(wanted.priority),
-                               " (allow it with 'ulimit -r 99', or LimitRTPRIO=99 in a unit)");
+    const auto error =
+        refused("SCHED_FIFO at priority " + std::to_string(wanted.priority),
+                " ('drydock doctor' says how to allow it; in a unit LimitRTPRIO=99)");
     ::munlockall();
     return error;
   }

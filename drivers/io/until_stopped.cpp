@@ -7,6 +7,7 @@
 #include "drivers/measurement/stamp.hpp"
 #include "drivers/terminal/dead_terminal.hpp"
 #include "drivers/terminal/early_end.hpp"
+#include "drivers/terminal/hangup.hpp"
 #include "drivers/terminal/interrupt_flag.hpp"
 
 namespace drydock::io {
@@ -14,7 +15,8 @@ namespace drydock::io {
 UntilStopped::UntilStopped(boost::asio::io_context& io, double duration_s,
                            std::function<void()> stop)
     : stop_(std::move(stop)), signals_(io), timer_(io) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) signals_.add(signal);
+  for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) signals_.add(signal);
+  if (!terminal::hangup_is_ignored()) signals_.add(SIGHUP);
   const bool has_end = duration_s > 0;
   signals_.async_wait([this, has_end](const boost::system::error_code& ec, int signal) {
     if (ec || stopped_) return;

@@ -8,10 +8,10 @@
 namespace drydock::io {
 
 /// Ends a program that runs until it is told to end: at Ctrl-C, at SIGTERM, when its terminal
-/// hangs up (a dropped ssh), when nobody reads what it prints any more (a pipe whose other end has
-/// gone), or when its time is over; and at once if such a signal has set a terminal::InterruptFlag
-/// that lives. A second Ctrl-C ends it at once. A signal
-/// before the end of a given time is noted as an early end.
+/// hangs up (a dropped ssh; not under nohup), when nobody reads what it prints any more (a pipe
+/// whose other end has gone), or when its time is over; and at once if such a signal has set a
+/// terminal::InterruptFlag that lives. A second Ctrl-C ends it at once. A signal before the end of
+/// a given time is noted as an early end.
 class UntilStopped {
  public:
   /// Calls `stop` once; `stop` must let `io` run out of work. With a duration of 0 there is no time

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cstddef>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
 #include "drivers/capture/format.hpp"
 #include "drivers/capture/line_file.hpp"
@@ -51,9 +53,9 @@ std::string parse_query(const Form& form, std::string_view query, Uri& uri) {
     query = end == std::string_view::npos ? std::string_view{} : query.substr(end + 1);
     if (std::string problem = check_parameter(form, parameter); !problem.empty()) return problem;
     const std::size_t equals = parameter.find('=');
-    const std::string name(parameter.substr(0, equals));
-    if (!uri.query.emplace(name, parameter.substr(equals + 1)).second)
-      return "key " + in_quotes(name) + " is given twice";
+    std::string name(parameter.substr(0, equals)), value(parameter.substr(equals + 1));
+    if (name == "mode") std::tie(name, value) = std::pair("listen", "1");  // mode=listen
+    if (!uri.query.emplace(name, value).second) return "key " + in_quotes(name) + " is given twice";
   }
   return {};
 }
@@ -88,6 +90,10 @@ std::string check_whole(const Uri& uri) {
     return "with flow=rtscts the port itself sets RTS: leave out rts";
   if (uri.text_of("flow") == "rtscts" && !uri.text_of("rs485").empty())
     return "RS-485 has no flow=rtscts: RTS switches the transmitter";
+  if (uri.searches_bit_rate() && !uri.only_listens())
+    return "bitrate=auto only listens, since an adapter that is active at a wrong rate disturbs "
+           "the "
+           "bus: add listen=1, or give the rate";
   return has_line_under(uri) ? check_line_under(uri) : std::string();
 }
 
@@ -229,7 +235,8 @@ std::optional<wire::LineRate> Uri::line_rate() const {
 
 std::optional<unsigned> Uri::bitrate() const {
   if (!may_carry(Carries::frames)) return std::nullopt;
-  return number(*this, "bitrate").value_or(250'000);
+  constexpr unsigned usual = 250'000;
+  return searches_bit_rate() ? usual : number(*this, "bitrate").value_or(usual);
 }
 
 std::optional<unsigned> Uri::data_bitrate() const { return number(*this, "data_bitrate"); }

@@ -48,12 +48,14 @@ struct Uri {
   /// Bit/s of a CAN bus (nominal phase). Default 250000, the rate of NMEA 2000 and J1939. Empty for
   /// byte links, but not for a file.
   std::optional<unsigned> bitrate() const;
+  /// True for `bitrate=auto`: the slcan link listens at one rate after the other.
+  bool searches_bit_rate() const { return scheme == Scheme::slcan && text_of("bitrate") == "auto"; }
   /// Bit/s of the data phase of CAN FD. Empty if the URI does not give it.
   std::optional<unsigned> data_bitrate() const;
   std::string_view text_of(std::string_view key) const;  ///< empty if the URI does not give it
   bool flag(std::string_view key) const;                 ///< true for `key=1`
   /// True if the drivers' end of this bus never sends, not even an acknowledgement where the
-  /// adapter can be told so.
+  /// adapter can be told so: `listen=1`, or `mode=listen`, which parse_uri turns into that.
   bool only_listens() const { return carries() == Carries::frames && flag("listen"); }
 };
 

@@ -122,12 +122,16 @@ constexpr Key from{"from", "an IP address in numbers", is_address};
 constexpr Key fd{"fd", "0 1", is_flag};
 constexpr Key echo{"echo", "0 1", is_flag};
 constexpr Key listen{"listen", "0 1", is_flag};
+constexpr Key mode{"mode", "listen", [](std::string_view text) { return text == "listen"; }};
 constexpr Key clients{"clients", "1 to 16", is_within<1, 16>};
 constexpr Key emulated{"emulated", "0 1", is_flag};
 constexpr Key bitrate{"bitrate", "10000 to 1000000", is_within<10'000, 1'000'000>};
 constexpr Key data_bitrate{"data_bitrate", "10000 to 8000000", is_within<10'000, 8'000'000>};
 constexpr Key slcan_bitrate{
     "bitrate", "10000 20000 50000 100000 125000 250000 500000 800000 1000000", is_slcan_bitrate};
+constexpr Key slcan_bitrate_or_auto{
+    "bitrate", "10000 20000 50000 100000 125000 250000 500000 800000 1000000, or auto",
+    [](std::string_view text) { return text == "auto" || is_slcan_bitrate(text); }};
 constexpr Key bus_name{"name", "up to 15 letters, digits, _ - .", is_interface};
 
 constexpr std::array<Form, 11> forms{{
@@ -172,31 +176,31 @@ constexpr std::array<Form, 11> forms{{
      "an interface name",
      "socketcan:can0",
      is_interface,
-     {fd, echo, bitrate, data_bitrate, emulated, listen}},
+     {fd, echo, bitrate, data_bitrate, emulated, listen, mode}},
     {Scheme::slcan,
      "slcan",
      "a device path or a byte link",
      "slcan:/dev/ttyACM0?bitrate=250000",
      is_path,
-     {baud, slcan_bitrate, emulated, listen}},
+     {baud, slcan_bitrate_or_auto, emulated, listen, mode}},
     {Scheme::gateway,
      "gateway",
      "a device path or a byte link",
      "gateway:tcp:192.168.4.1:1457",
      is_path,
-     {gateway_format, baud, emulated, listen}},
+     {gateway_format, baud, emulated, listen, mode}},
     {Scheme::memory_can,
      "memory-can",
      "a name without /",
      "memory-can:bus0",
      is_name,
-     {bitrate, listen}},
+     {bitrate, listen, mode}},
     {Scheme::can_auto,
      "can:auto",
      "nothing after auto",
      "can:auto?name=bus0",
      is_interface,
-     {bus_name, slcan_bitrate, listen}},
+     {bus_name, slcan_bitrate, listen, mode}},
 }};
 
 }  // namespace

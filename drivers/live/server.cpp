@@ -109,7 +109,7 @@ asio::awaitable<void> Server::House::let_in() {
   while (door.is_open()) {
     auto [error, socket] = co_await door.async_accept(as_outcome);
     if (error == asio::error::operation_aborted || !door.is_open()) co_return;
-    if (error || !make_room()) {  // closes the client at once if all others are viewers
+    if (error || !make_room()) {  // closes the client at once if all others are viewers that read
       asio::steady_timer pause(executor, accept_pause);
       co_await pause.async_wait(as_outcome);
       continue;
@@ -160,10 +160,16 @@ asio::awaitable<std::optional<HttpRequest>> Server::House::request_on(beast::tcp
   co_return request;
 }
 
-/// A client that has asked for nothing yet, or does not take its answer, gives way to one that may.
+/// A client that has asked for nothing yet, or does not take its answer, gives way to one that may;
+/// so does a viewer that takes nothing.
 bool Server::House::make_room() {
   if (clients < most_clients) return true;
-  if (unserved.empty()) return false;
+  if (unserved.empty()) {
+    const auto idle = std::ranges::find_if(viewers, &Viewer::takes_nothing);
+    if (idle == viewers.end()) return false;
+    (*idle)->close();
+    return true;
+  }
   auto* const oldest = unserved.front();
   unserved.splice(unserved.end(), unserved, unserved.begin());
   oldest->close();

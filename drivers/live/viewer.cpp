@@ -28,10 +28,15 @@ std::string_view chosen_subprotocol(std::string_view offered) {
 }  // namespace
 
 Viewer::Viewer(beast::tcp_stream stream, std::chrono::milliseconds silence)
-    : socket_(std::move(stream)), queued_(std::make_shared<io::Signal>(socket_.get_executor())) {
+    : socket_(std::move(stream)),
+      queued_(std::make_shared<io::Signal>(socket_.get_executor())),
+      silence_(silence) {
   auto limits = websocket::stream_base::timeout::suggested(beast::role_type::server);
   limits.idle_timeout = silence;
   socket_.set_option(limits);
+  socket_.control_callback([this](websocket::frame_type, beast::string_view) {
+    heard_at_ = std::chrono::steady_clock::now();
+  });
 }
 
 asio::awaitable<void> Viewer::run(beast::http::request<beast::http::string_body> request,
@@ -61,6 +66,7 @@ asio::awaitable<void> Viewer::read_all(Desk desk) {
   for (;;) {
     const auto [error, size] = co_await socket_.async_read(buffer, as_outcome);
     if (error) co_return;
+    heard_at_ = std::chrono::steady_clock::now();
     const std::string message = beast::buffers_to_string(buffer.data());
     if (socket_.got_text())
       obey(parse_request(message), desk);
@@ -154,6 +160,13 @@ asio::awaitable<void> Viewer::write_all() {
     if (item.kind == Kind::data) ++sent_;
   }
   close();
+}
+
+/// A ping goes out after half of the silence, so nothing after three quarters means no pong.
+bool Viewer::takes_nothing() const {
+  if (!open_) return false;  // it comes, or has gone
+  return !heard_at_ || dropped_ > told_dropped_ ||
+         std::chrono::steady_clock::now() - *heard_at_ > silence_ * 3 / 4;
 }
 
 void Viewer::close() {

@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "drivers/io/signal.hpp"
 #include "drivers/live/foxglove/services.hpp"
@@ -46,6 +47,10 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
   void publish(std::uint32_t channel, std::uint64_t time_ns, const Body& body);
   void close();
 
+  /// True if it seems to read nothing: it has said nothing since it came, or has answered no ping
+  /// for long, or the data that wait for it overflow. Where there is no room, it gives way.
+  bool takes_nothing() const;
+
   std::uint64_t sent() const { return sent_; }
   std::uint64_t dropped() const { return dropped_; }
 
@@ -70,6 +75,8 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
   std::map<std::uint32_t, std::uint32_t> subscriptions_;  ///< channel -> the client's number
   std::uint64_t sent_ = 0, dropped_ = 0, told_dropped_ = 0;
   bool open_ = false;
+  std::chrono::milliseconds silence_;
+  std::optional<std::chrono::steady_clock::time_point> heard_at_;  ///< a message, or a pong
 };
 
 }  // namespace drydock::live

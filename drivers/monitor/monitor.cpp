@@ -134,6 +134,15 @@ void print_counters(const Screen& screen) {
              screen.messages(), c.bytes_in, c.bytes_good, c.bytes_skipped, c.bad_checksums);
 }
 
+/// The same link, which nothing disturbs. Where nobody says the rate of an slcan adapter's bus, it
+/// is found by listening.
+link::Uri only_heard(const link::Uri& uri) {
+  auto heard = link::listening(uri);
+  if (uri.scheme == link::Scheme::slcan && uri.text_of("bitrate").empty())
+    heard.query["bitrate"] = "auto";
+  return heard;
+}
+
 /// Listens until the duration is over, Ctrl-C, or the end of the link.
 template <class Link>
 int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration_s) {
@@ -149,6 +158,8 @@ int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration
     every.async_wait([&](const boost::system::error_code& ec) {
       if (ec || stopped) return;
       print_counters(screen);
+      if (screen.messages() == 0 && !open_link.note().empty())
+        fmt::print(stderr, "{}\n", open_link.note());
       tell();
     });
   };
@@ -193,7 +204,8 @@ int monitor_messages(const MonitorOptions& options) {
                                : decode::frame_protocols());
     return terminal::exit_usage;
   }
-  if (places_cursor()) return monitor_wire(options, *uri, carries);
+  const auto heard = only_heard(*uri);
+  if (places_cursor()) return monitor_wire(options, heard, carries);
   asio::io_context io{1};
   const auto watch_opened = [&](auto opened) {
     if (opened) return watch(io, **opened, *screen, options.duration_s);
@@ -201,9 +213,8 @@ int monitor_messages(const MonitorOptions& options) {
     return terminal::exit_usage;
   };
   return carries == link::Carries::bytes
-             ? watch_opened(link::open_bytes(io.get_executor(), *uri, link::Side::driver))
-             : watch_opened(
-                   link::open_frames(io.get_executor(), link::listening(*uri), link::Side::driver));
+             ? watch_opened(link::open_bytes(io.get_executor(), heard, link::Side::driver))
+             : watch_opened(link::open_frames(io.get_executor(), heard, link::Side::driver));
 }
 
 }  // namespace drydock::monitor

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <boost/asio/co_spawn.hpp>
+#include <functional>
 
 #include "drivers/link/clock.hpp"
 #include "drivers/link/reading.hpp"
@@ -42,6 +43,8 @@ class WireView {
     last_ = link::steady_now();
   }
   void ended(const std::string& why) { view_.last_error = "it ended: " + why; }
+  /// Told every time it is drawn: a link that searches its rate says where it is.
+  void says(std::function<std::string_view()> note) { note_ = std::move(note); }
 
   DeviceView current() {
     view_.streaming = false;
@@ -49,6 +52,7 @@ class WireView {
     view_.streaming = view_.age_s && *view_.age_s < quiet_after_s;
     view_.state = view_.streaming ? "streaming" : last_ ? "quiet" : "waiting";
     view_.status = last_ ? "nothing more comes" : "nothing came yet";
+    if (note_) view_.link_note = note_();
     return view_;
   }
   bool any() const { return last_.has_value(); }
@@ -57,6 +61,7 @@ class WireView {
 
  private:
   DeviceView view_;
+  std::function<std::string_view()> note_;
   std::optional<measurement::Stamp> last_;
 };
 
@@ -69,7 +74,9 @@ int show_link(MonitorLoop& loop, WireView& wire, Link& open_link) {
       [&](const std::exception_ptr&, const boost::system::error_code& why) {
         if (why != asio::error::operation_aborted) wire.ended(why.message());
       });
+  wire.says([&] { return open_link.note(); });
   loop.run([] {}, [&] { open_link.close(); });
+  wire.says({});
   return terminal::exit_of(wire.any());
 }
 
@@ -88,7 +95,7 @@ int monitor_wire(const MonitorOptions& options, const link::Uri& uri, link::Carr
   const auto executor = loop.io().get_executor();
   return carries == link::Carries::bytes
              ? show_opened(link::open_bytes(executor, uri, link::Side::driver))
-             : show_opened(link::open_frames(executor, link::listening(uri), link::Side::driver));
+             : show_opened(link::open_frames(executor, uri, link::Side::driver));
 }
 
 }  // namespace drydock::monitor

@@ -6,6 +6,7 @@
 #include <csignal>
 
 #include "drivers/terminal/exit_codes.hpp"
+#include "drivers/terminal/hangup.hpp"
 
 namespace drydock::terminal {
 namespace {
@@ -21,6 +22,7 @@ bool ended_early() { return early; }
 void end_at_once(int) { ::_exit(exit_interrupted); }
 
 void end_at_once_on_signals() {
+  hangup_is_ignored();  // its first call
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     if (std::signal(signal, end_at_once) == SIG_IGN) std::signal(signal, SIG_IGN);
 }

@@ -7,6 +7,7 @@
 
 #include "drivers/terminal/dead_terminal.hpp"
 #include "drivers/terminal/early_end.hpp"
+#include "drivers/terminal/hangup.hpp"
 
 namespace drydock::terminal {
 namespace {
@@ -20,6 +21,13 @@ std::mutex mutex;  // protects both
 int alive = 0;
 std::array<void (*)(int), ends.size()> before;  // by signal
 std::size_t caught = 0;                         // the first ones of `ends`
+
+/// Calls `change(i)` for each signal that is caught.
+template <class Change>
+void for_each_caught(Change&& change) {
+  for (std::size_t i = 0; i < caught; ++i)
+    if (ends[i] != SIGHUP || !hangup_is_ignored()) change(i);
+}
 
 /// A shell and the kernel both send a SIGHUP: the second must not disturb the end. Neither must a
 /// second line that nobody reads.
@@ -38,13 +46,13 @@ InterruptFlag::InterruptFlag(ClosedPipe closed_pipe) {
   if (alive++ > 0) return;
   interrupted = false;
   caught = ends.size() - (closed_pipe == ClosedPipe::kills);
-  for (std::size_t i = 0; i < caught; ++i) before[i] = std::signal(ends[i], on_end);
+  for_each_caught([](std::size_t i) { before[i] = std::signal(ends[i], on_end); });
 }
 
 InterruptFlag::~InterruptFlag() {
   const std::lock_guard lock(mutex);
   if (--alive > 0) return;
-  for (std::size_t i = 0; i < caught; ++i) std::signal(ends[i], before[i]);
+  for_each_caught([](std::size_t i) { std::signal(ends[i], before[i]); });
   if (unread.exchange(false)) forget_unread_lines();
 }
 

@@ -7,8 +7,9 @@ namespace drydock::terminal {
 enum class ClosedPipe : unsigned char { kills, ends };
 
 /// While one of these lives, the first Ctrl-C, SIGTERM or SIGHUP only sets the flag. A second
-/// Ctrl-C ends the program. Those that live at the same time share the flag. This is for a loop
-/// that does not wait in io_context::run(); there io::UntilStopped ends the program.
+/// Ctrl-C ends the program; a SIGHUP that hangup_is_ignored() stays so. Those that live at the same
+/// time share the flag. This is for a loop that does not wait in io_context::run(); there
+/// io::UntilStopped ends the program.
 class InterruptFlag {
  public:
   explicit InterruptFlag(ClosedPipe closed_pipe = ClosedPipe::kills);

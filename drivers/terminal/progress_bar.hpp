@@ -7,6 +7,8 @@ namespace drydock::terminal {
 
 /// Moves the cursor to the start of the terminal's line and erases the line.
 inline constexpr const char* wipe_line = "\r\033[2K";
+/// Then the same with the line above it.
+inline constexpr const char* wipe_line_above = "\033[A\033[2K";
 
 /// `[#####.....]` for a fraction of work from 0 to 1.
 inline std::string progress_bar(double done) {

@@ -123,7 +123,8 @@ class RigChecks {
   }
 
   static bool is_never_written(const std::string& link) {
-    return link.starts_with("file:") || link.find("listen=1") != std::string::npos;
+    const auto has = [&](const char* key) { return link.find(key) != std::string::npos; };
+    return link.starts_with("file:") || has("listen=1") || has("mode=listen");
   }
 
   void files_exist() {

@@ -28,7 +28,7 @@ drivers/recordings/tasks   rig_config drivers/recordings/record drivers/recordin
 drivers/process
 drivers/text               drivers/wire drivers/measurement
 drivers/decode             drivers/text drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement
-drivers/doctor             drivers/terminal drivers/text drivers/link drivers/wire rig_config
+drivers/doctor             drivers/terminal drivers/text drivers/link drivers/io drivers/wire rig_config
 drivers/host               drivers/diagnosis drivers/shell drivers/device drivers/bus drivers/live drivers/recordings/record drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
 drivers/probe              drivers/survey drivers/guess drivers/shell drivers/device drivers/doctor drivers/text drivers/link drivers/io drivers/terminal drivers/capture drivers/wire drivers/measurement rig_config/device_description/load_description
 drivers/monitor            drivers/survey drivers/doctor drivers/diagnosis drivers/host drivers/probe drivers/decode drivers/text drivers/shell drivers/device drivers/bus drivers/link drivers/io drivers/terminal drivers/wire drivers/measurement rig_config
@@ -48,7 +48,7 @@ estimators/consistency     estimators/frame drivers/diagnosis drivers/measuremen
 estimators/external        estimators/pipeline estimators/frame drivers/bus drivers/process drivers/text drivers/measurement rig_config/estimator/external
 estimators/setup           estimators/external estimators/pipeline estimators/leveling drivers/bus estimators/vehicle estimators/frame drivers/measurement rig_config
 estimators/host            drivers/diagnosis estimators/consistency estimators/setup estimators/pipeline estimators/frame drivers/host drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config
-rig_config                 drivers/wire/protocols drivers/wire/hex drivers/wire/packed_content drivers/wire/described/description drivers/wire/described/frame_plan drivers/wire/dbc/database drivers/wire/dbc/reader drivers/wire/described/plan drivers/wire/described/targets drivers/wire/described/crc_line drivers/wire/described/read_back drivers/measurement/units drivers/measurement/kind drivers/measurement/sound_speed drivers/measurement/actuator_order
+rig_config                 drivers/wire/protocols drivers/wire/hex drivers/wire/packed_content drivers/wire/described/description drivers/wire/described/frame_plan drivers/wire/dbc/database drivers/wire/dbc/reader drivers/wire/dbc/same_frame drivers/wire/described/plan drivers/wire/described/targets drivers/wire/described/crc_line drivers/wire/described/read_back drivers/measurement/units drivers/measurement/kind drivers/measurement/sound_speed drivers/measurement/actuator_order
 hil/report
 hil/ocean                  estimators/frame drivers/measurement rig_config
 hil/motion                 hil/ocean estimators/frame estimators/hydrodynamics estimators/vehicle drivers/measurement rig_config

@@ -31,6 +31,7 @@ TEST(RigProblems, ACanopenDeviceThatWouldStartEveryNodeIsRefused) {
               ElementsAre("r.toml:13:11: " + refusal));
   EXPECT_THAT(problems_of(table("can:auto") + "address = 1\n"), IsEmpty());
   EXPECT_THAT(problems_of(table("socketcan:can0?listen=1")), IsEmpty());
+  EXPECT_THAT(problems_of(table("socketcan:can0?mode=listen")), IsEmpty());
   EXPECT_THAT(problems_of(table("file:dive.log")), IsEmpty());
 }
 

@@ -240,7 +240,7 @@ TEST_F(OwnInterface, GoingDownIsAClearErrorAndReopeningWorks) {
   const auto refused =
       open_frames(io.get_executor(), parse_uri("socketcan:" + interface).value(), Side::driver);
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().message, interface + " is down: ip link set " + interface + " up");
+  EXPECT_EQ(refused.error().message, interface + " is down: sudo ip link set " + interface + " up");
 
   ASSERT_FALSE(set_interface_up(interface, true));
   const auto again = open_interface();

@@ -55,7 +55,7 @@ OpenedFrames open_vcan(const asio::any_io_executor& executor, const Uri& uri) {
 OpenedFrames open_slcan_pty(const asio::any_io_executor& executor, const Uri& uri) {
   auto line = open_pty_driver(executor, pty_uri(uri.target));
   if (!line) return line.error();
-  return make_slcan(executor, std::move(*line), {*uri.bitrate(), uri.only_listens()});
+  return make_slcan(executor, std::move(*line), {*uri.bitrate(), uri.only_listens(), false});
 }
 
 }  // namespace

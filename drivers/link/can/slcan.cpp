@@ -50,6 +50,7 @@ class SlcanLink final : public FrameLink {
       : line_(std::move(line)),
         rate_(slcan::bit_rate_command(channel.bit_rate).value()),
         open_(channel.listens ? "L" : "O"),
+        searches_(channel.searches),
         patience_(executor),
         changed_(std::make_shared<io::Signal>(executor)),
         frames_(most_frames_per_read),
@@ -64,7 +65,12 @@ class SlcanLink final : public FrameLink {
   }
   Provenance provenance() const override { return line_->provenance(); }
   std::uint64_t dropped() const override { return dropped_; }
+  std::optional<unsigned> bit_rate() const override {
+    if (!searches_ || !found_) return {};
+    return slcan_search_order[tried_];
+  }
   std::string_view note() const override {
+    if (!search_note_.empty() && damage_.empty()) return search_note_;
     if (channel_ == Channel::open && silent_)
       return "the slcan adapter answers no command: whether its channel is open, only its frames "
              "show";
@@ -81,6 +87,8 @@ class SlcanLink final : public FrameLink {
   /// One read, or what silence asks for.
   Task<void> take_or_open_again();
   Task<void> close_first();
+  void choose_rate();
+  void try_next_rate();
   Task<void> command(std::string_view text);
   /// Reads until there is an answer or the limit is over. With `frames_too` a frame ends it as
   /// well.
@@ -93,7 +101,11 @@ class SlcanLink final : public FrameLink {
   void keep(const wire::CanFrame& frame, Stamp at);
 
   std::unique_ptr<ByteLink> line_;
-  std::string_view rate_, open_;  ///< the commands of this channel: S5, L
+  std::string_view rate_, open_;           ///< the commands of this channel: S5, L
+  bool searches_ = false, found_ = false;  ///< the rate; a frame has come at one
+  bool at_our_rate_ = false;               ///< frames from now on are those of the present channel
+  std::size_t tried_ = 0;                  ///< the place of the rate in the search order
+  std::string search_note_;
   asio::steady_timer patience_;
   std::optional<Answer> answer_;  ///< the first one since it was emptied
   bool silent_ = true;            ///< no answer so far
@@ -129,9 +141,31 @@ Task<void> SlcanLink::opened() {
 }
 
 Task<void> SlcanLink::open_channel() {
+  at_our_rate_ = false;
   if (const auto closed = co_await close_first(); !closed) co_return closed;
-  if (const auto done = co_await command(rate_); !done) co_return done;
+  if (searches_) choose_rate();
+  auto done = co_await command(rate_);
+  for (std::size_t others = slcan_search_order.size() - 1;
+       searches_ && !found_ && !done && is_refused_rate(done.error()) && others > 0; --others) {
+    try_next_rate();
+    done = co_await command(rate_);
+  }
+  if (!done) co_return done;
+  at_our_rate_ = true;
   co_return co_await command(open_);
+}
+
+void SlcanLink::choose_rate() {
+  const unsigned rate = slcan_search_order[tried_];
+  rate_ = slcan::bit_rate_command(rate).value();
+  search_note_ = found_ ? std::to_string(rate) + " bit/s, found by listening"
+                        : "no frame yet: listens at each bit rate for 2 s, now at " +
+                              std::to_string(rate) + " bit/s (bitrate=... states it)";
+}
+
+void SlcanLink::try_next_rate() {
+  tried_ = (tried_ + 1) % slcan_search_order.size();
+  choose_rate();
 }
 
 /// A channel that is closed refuses C, and an adapter may answer the empty line or not: all that
@@ -200,7 +234,10 @@ Task<void> SlcanLink::take_or_open_again() {
     heard_at_ = std::chrono::steady_clock::now();
     co_return boost::system::result<void>{};
   }
-  silence_ = std::min<std::chrono::steady_clock::duration>(2 * silence_, longest_silence);
+  if (searches_ && !found_)
+    try_next_rate();
+  else
+    silence_ = std::min<std::chrono::steady_clock::duration>(2 * silence_, longest_silence);
   channel_ = Channel::closed;
   co_return co_await opened();
 }
@@ -246,6 +283,11 @@ void SlcanLink::hear(Answer answer) {
 
 void SlcanLink::keep(const wire::CanFrame& frame, Stamp at) {
   if (echoes_ && written_.take_echo(frame)) return;
+  if (searches_ && !found_) {
+    if (frame.error || !at_our_rate_) return;  // a wrong rate gives nothing but error frames
+    found_ = true;
+    choose_rate();
+  }
   heard_at_ = std::chrono::steady_clock::now();
   silence_ = first_silence;
   refused_ = false;
@@ -278,7 +320,8 @@ OpenedFrames open_slcan(const asio::any_io_executor& executor, const Uri& uri, S
   auto line = open_bytes(executor, line_under(uri), side);
   if (!line) return line.error();
   if (side == Side::driver)
-    return make_slcan(executor, std::move(*line), {*uri.bitrate(), uri.only_listens()});
+    return make_slcan(executor, std::move(*line),
+                      {*uri.bitrate(), uri.only_listens(), uri.searches_bit_rate()});
   std::vector<std::unique_ptr<ByteLink>> lines;
   lines.push_back(std::move(*line));
   return SlcanBus::open(executor, std::move(lines))->join();

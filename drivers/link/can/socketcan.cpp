@@ -15,6 +15,7 @@
 
 #include "drivers/link/can/can_interface.hpp"
 #include "drivers/link/can/controller_clock.hpp"
+#include "drivers/link/can/interface_commands.hpp"
 #include "drivers/link/can/kernel_frame.hpp"
 #include "drivers/link/descriptor.hpp"
 
@@ -205,7 +206,7 @@ std::string queue_note(unsigned given, unsigned bit_rate) {
   const unsigned wanted = buffer_for(bit_rate);
   if (given >= wanted / 2 * 2) return {};
   return "; the queue holds " + std::to_string(given * 1000ULL / wanted) +
-         " ms of a full bus: sysctl -w net.core.rmem_max=" + std::to_string(wanted / 2);
+         " ms of a full bus: sudo sysctl -w net.core.rmem_max=" + std::to_string(wanted / 2);
 }
 
 OpenError no_socket(int error) {
@@ -216,17 +217,27 @@ OpenError no_socket(int error) {
 }
 
 std::string how_to_bring_up(const std::string& name, const Uri& uri, bool is_vcan) {
-  const std::string type =
-      is_vcan ? "" : " type can bitrate " + std::to_string(*uri.bitrate()) + " restart-ms 100";
-  return name + " is down: ip link set " + name + type + " up";
+  return name + " is down: " +
+         (is_vcan ? command_to_set_up_virtual(name) : command_to_set_up(name, *uri.bitrate()));
+}
+
+OpenError no_fd(const std::string& name, const Uri& uri, const CanInterface& found) {
+  constexpr unsigned usual_data_rate = 2'000'000;
+  const std::string how = found.is_vcan
+                              ? "sudo ip link set " + name + " down; sudo ip link set " + name +
+                                    " mtu " + std::to_string(CANFD_MTU) + " up"
+                              : command_to_set_up_fd(name, *uri.bitrate(),
+                                                     uri.data_bitrate().value_or(usual_data_rate));
+  return {system_error(EINVAL), name + " carries no CAN FD (its mtu is " +
+                                    std::to_string(found.mtu) + "): " + how +
+                                    ", or leave out fd=1"};
 }
 
 /// What `listen=1` means on this interface.
 std::string listening_note(const std::string& name, const CanInterface& found) {
   if (!found.listen_only) return "nothing is sent";
   if (*found.listen_only) return "nothing is sent: " + name + " is listen-only";
-  return "nothing is sent, but " + name + " acknowledges: ip link set " + name +
-         " type can listen-only on";
+  return "nothing is sent, but " + name + " acknowledges: " + command_to_listen_only(name);
 }
 
 }  // namespace
@@ -239,10 +250,7 @@ OpenedFrames open_socketcan(const asio::any_io_executor& executor, const Uri& ur
   if (!found) return open_error(found.error().value(), "there is no CAN interface " + name);
   if (!found->up)
     return OpenError{system_error(ENETDOWN), how_to_bring_up(name, uri, found->is_vcan)};
-  if (uri.flag("fd") && found->mtu < CANFD_MTU)
-    return OpenError{system_error(EINVAL), name + " carries no CAN FD (its mtu is " +
-                                               std::to_string(found->mtu) +
-                                               "): set it up with fd on, or leave out fd=1"};
+  if (uri.flag("fd") && found->mtu < CANFD_MTU) return no_fd(name, uri, *found);
   if (!set_options(socket.get(), uri)) return open_error(errno, "cannot set up " + name);
   sockaddr_can address{};
   address.can_family = AF_CAN;

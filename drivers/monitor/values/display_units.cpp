@@ -42,6 +42,9 @@ constexpr std::array display_units{
 
 constexpr double newest_s = 2;  // a value this much older than its device's newest shows its age
 
+/// The speed of sound is no vehicle's: nobody reads it in knots.
+bool is_of_the_water(std::string_view field) { return field == "sound_speed_mps"; }
+
 bool is_place(std::string_view field) {
   return field == "latitude_deg" || field == "longitude_deg";
 }
@@ -83,6 +86,7 @@ const DisplayUnit* DisplayUnits::unit_of(std::string_view field) const {
   const auto of_field = [&](const DisplayUnit& unit) { return field.ends_with(unit.ending); };
   const auto usual = std::ranges::find_if(display_units, of_field);
   if (usual == display_units.end()) return nullptr;
+  if (is_of_the_water(field)) return &*usual;
   for (const auto* unit : chosen_)
     if (unit->ending == usual->ending) return unit;
   return &*usual;

@@ -163,16 +163,99 @@ TEST(Doctor, APortNamedByItsPlaceIsToldTheNameThatStays) {
   const auto found = check_names(machine.root(), rig_with("/dev/ttyUSB0"));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].fitness, Fitness::advice);
-  EXPECT_THAT(found[0].text, HasSubstr("serial:" + by_id));
+  EXPECT_THAT(found[0].text, HasSubstr(by_id));
   EXPECT_TRUE(check_names(machine.root(), rig_with(by_id)).empty());
+}
+
+TEST(Doctor, TheAdviceToNameAPortByIdIsACommandThatWritesItIntoTheRigFile) {
+  Machine machine;
+  machine.plug_in();
+  machine.file("it's a rig.toml",
+               "link = \"serial:/dev/ttyUSB0?baud=9600\"  # not /dev/ttyUSB01\n");
+  Needs needs = rig_with("/dev/ttyUSB0");
+  needs.rig_file = machine.root() + "/it's a rig.toml";
+  const auto found = check_names(machine.root(), needs);
+  ASSERT_EQ(std::system(found.at(0).command.c_str()), 0) << found[0].command;
+  std::string line;
+  std::ifstream in(needs.rig_file);
+  std::getline(in, line);
+  EXPECT_EQ(line,
+            "link = \"serial:/dev/serial/by-id/usb-FTDI_FT232R_A900-if00-port0?baud=9600\"  # not "
+            "/dev/ttyUSB01");
+}
+
+TEST(Doctor, AnAdapterWithoutADriverIsToldItsModule) {
+  Machine machine;
+  machine.file("proc/sys/kernel/osrelease", "6.1.0-test\n");
+  // As depmod writes them (modules.alias, modules.dep), and sysfs.
+  machine.file("lib/modules/6.1.0-test/modules.alias",
+               "# Aliases extracted from modules themselves.\n"
+               "alias usb:v1D50p606Fd*dc*dsc*dp*ic*isc*ip*in00* gs_usb\n"
+               "alias usb:v*p*d*dc*dsc*dp*ic02isc02ip01in* cdc_acm\n"
+               "alias usb:v*p*d*dc*dsc*dp*ic03isc*ip*in* usbhid\n"
+               "alias spi:mcp2515 mcp251x\n");
+  machine.file("lib/modules/6.1.0-test/modules.dep",
+               "kernel/drivers/net/can/usb/gs_usb.ko.xz: kernel/drivers/net/can/dev/can-dev.ko.xz\n"
+               "kernel/drivers/net/can/spi/mcp251x.ko: kernel/drivers/net/can/dev/can-dev.ko\n"
+               "kernel/drivers/usb/class/cdc-acm.ko.xz:\n"
+               "kernel/drivers/hid/usbhid/usbhid.ko.xz:\n");
+  const auto device = [&](const std::string& path, const std::string& alias) {
+    machine.file(path + "/modalias", alias + "\n");
+  };
+  device("sys/bus/usb/devices/1-2:1.0", "usb:v1D50p606Fd0100dcEFdsc02dp01icFFiscFFipFFin00");
+  device("sys/bus/usb/devices/1-3:1.0", "usb:v2341p0043d0001dc02dsc00dp00ic02isc02ip01in00");
+  device("sys/bus/usb/devices/1-4:1.0", "usb:v046Dp0000d0001dc00dsc00dp00ic03isc01ip01in00");
+  device("sys/bus/spi/devices/spi0.0", "spi:mcp2515");
+  machine.link("sys/bus/usb/devices/1-3:1.0/driver", "../cdc_acm");
+  machine.file("sys/bus/usb/devices/cdc_acm", "");
+  const auto commands = [&] {
+    std::vector<std::string> all;
+    for (const auto& one : check_drivers(machine.root(), Needs{})) all.push_back(one.command);
+    return all;
+  };
+  EXPECT_THAT(commands(), testing::ElementsAre("sudo modprobe gs_usb", "sudo modprobe mcp251x"));
+  machine.file("sys/module/gs_usb/refcnt", "0\n");
+  EXPECT_THAT(commands(), testing::ElementsAre("sudo modprobe mcp251x"));
+  Needs none;
+  none.whole_machine = false;
+  EXPECT_TRUE(check_drivers(machine.root(), none).empty());
+}
+
+/// gs_usb of Linux 6.1 has no do_set_mode, and `ip` then refuses restart-ms.
+TEST(Doctor, RestartMsIsAdvisedOnlyWhereTheControllersDriverHasIt) {
+  Machine machine;
+  for (const char* name : {"can0", "can2"}) {
+    machine.file(std::string("sys/class/net/") + name + "/type", "280\n");
+    machine.file(std::string("sys/class/net/") + name + "/operstate", "down\n");
+  }
+  machine.file("sys/bus/usb/drivers/gs_usb/module", "");
+  machine.link("sys/class/net/can2/device/driver", "../../../../bus/usb/drivers/gs_usb");
+  Needs needs{.whole_machine = false,
+              .rig_file = {},
+              .ports = {},
+              .buses = {"can0", "can2"},
+              .bitrates = {{"can0", 500000}},
+              .kernel_can = true};
+  std::vector<std::string> commands;
+  for (const auto& one : check_can(machine.root(), needs))
+    if (one.check == "CAN") commands.push_back(one.command);
+  EXPECT_THAT(commands, testing::ElementsAre(
+                            "sudo ip link set can0 down; "
+                            "sudo ip link set can0 up type can bitrate 500000 restart-ms 100",
+                            "sudo ip link set can2 down; "
+                            "sudo ip link set can2 up type can bitrate 250000"));
 }
 
 TEST(Doctor, AShortSendQueueOfACanInterfaceIsLengthened) {
   Machine machine;
   machine.file("sys/class/net/can0/type", "280\n");
   machine.file("sys/class/net/can0/tx_queue_len", "10\n");
-  Needs needs{
-      .whole_machine = false, .ports = {}, .buses = {"can0"}, .bitrates = {}, .kernel_can = true};
+  Needs needs{.whole_machine = false,
+              .rig_file = {},
+              .ports = {},
+              .buses = {"can0"},
+              .bitrates = {},
+              .kernel_can = true};
   const auto commands = [&] {
     std::vector<std::string> all;
     for (const auto& one : check_can(machine.root(), needs)) all.push_back(one.command);
@@ -225,10 +308,27 @@ TEST(Doctor, ANetworkWithoutLoopbackCarriesNoDds) {
 TEST(Doctor, LimitsAndTheClockAreAdviceAtMost) {
   Machine machine;
   EXPECT_EQ(check_limits(machine.root()).at(0).fitness, Fitness::advice);
-  machine.file("proc/self/limits", "Max realtime priority     50                   50\n");
-  EXPECT_EQ(check_limits(machine.root()).at(0).fitness, Fitness::ok);
   EXPECT_EQ(check_clock(TIME_OK, 0).at(0).fitness, Fitness::ok);
   EXPECT_EQ(check_clock(TIME_ERROR, STA_UNSYNC).at(0).fitness, Fitness::advice);
+}
+
+TEST(Doctor, RealTimeNeedsThePriorityAndTheMemoryTogether) {
+  Machine machine;
+  const auto with = [&](const std::string& memory, const std::string& priority) {
+    machine.file("proc/self/limits", "Max locked memory         " + memory + " " + memory +
+                                         " bytes\n" + "Max realtime priority     " + priority +
+                                         " " + priority + "\n");
+    return check_limits(machine.root()).at(0);
+  };
+  EXPECT_EQ(with("unlimited", "99").fitness, Fitness::ok);
+  EXPECT_EQ(with("unlimited", "10").fitness, Fitness::advice) << "--realtime takes 50";
+  const auto locked = with("8388608", "50");
+  EXPECT_EQ(locked.fitness, Fitness::advice);
+  EXPECT_THAT(locked.text, HasSubstr("8388608 B of locked memory"));
+  EXPECT_THAT(locked.command, HasSubstr("memlock unlimited"));
+  EXPECT_THAT(locked.command, HasSubstr("rtprio 99"));
+  machine.file("proc/self/status", "CapEff:\t000001ffffffffff\n");
+  EXPECT_EQ(with("8388608", "0").fitness, Fitness::ok) << "root is not bound by limits";
 }
 
 TEST(Doctor, ARigNeedsWhatItsLinksName) {

@@ -46,13 +46,13 @@ TEST(Scheduling, WithoutTheRightToLockMemoryOneLineSaysWhichLimitForbidsIt) {
 #endif
   EXPECT_THAT(told_without_privileges(0, 0, {}),
               AllOf(StartsWith("the kernel refuses to lock the memory: "),
-                    HasSubstr("ulimit -l unlimited")));
+                    HasSubstr("LimitMEMLOCK=infinity")));
 }
 
 TEST(Scheduling, WithoutTheRightToAPriorityOneLineSaysWhichLimitForbidsIt) {
   EXPECT_THAT(told_without_privileges(RLIM_INFINITY, 0, {.priority = 50, .cores = {}}),
               AllOf(StartsWith("the kernel refuses SCHED_FIFO at priority 50: "),
-                    HasSubstr("ulimit -r 99")));
+                    HasSubstr("LimitRTPRIO=99")));
 }
 
 TEST(Scheduling, ACoreThatTheMachineHasNotIsRefusedWithThoseThatItHas) {

@@ -67,6 +67,40 @@ TEST(UntilStopped, EndsAtAHangupAndASecondHangupDoesNotDisturbTheEnd) {
       testing::ExitedWithCode(0), "");
 }
 
+/// In a program of its own, which begins as one under nohup does.
+void run_under_nohup(bool (*survives)()) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(
+      {
+        std::signal(SIGHUP, SIG_IGN);
+        std::exit(survives() ? 0 : 1);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+TEST(UntilStopped, AHangupThatIsIgnoredAtTheStartEndsNeitherThisNorTheNextRun) {
+  run_under_nohup([] {
+    for (int run = 1; run <= 2; ++run) {
+      Program program(0);
+      std::raise(SIGHUP);
+      program.io.poll();
+      if (program.stops != 0) return false;
+      std::raise(SIGTERM);
+      program.io.run();
+      if (program.stops != 1) return false;
+    }
+    return true;
+  });
+}
+
+TEST(InterruptFlag, AHangupThatIsIgnoredAtTheStartSetsNoFlag) {
+  run_under_nohup([] {
+    const drydock::terminal::InterruptFlag flag;
+    std::raise(SIGHUP);
+    return !flag.set();
+  });
+}
+
 // As `drydock record ... | tee log` whose tee was ended: the recording is ended well.
 TEST(UntilStopped, EndsWellWhenNobodyReadsWhatItPrints) {
   EXPECT_EXIT(

@@ -34,6 +34,39 @@ TEST_F(SlcanOpening, AListeningLinkOpensWithLAndClosesWithC) {
   wait_for(adapter, "\rC\rS6\rL\r\rC\r");
 }
 
+TEST_F(SlcanOpening, ModeListenIsTheSameAsListen1) {
+  ScriptedAdapter adapter(io, pty, {{"L", "\rt1231AA\r"}});
+  const auto listening = bus("?mode=listen");
+  EXPECT_EQ(run(io, listening->read())->frame.id, 0x123U);
+  EXPECT_FALSE(run(io, listening->write({})));
+  EXPECT_EQ(adapter.got(), "\rC\rS5\rL\r");
+}
+
+/// A bus at 500 kbit/s: at 250 kbit/s the adapter hears nothing but errors (its report of error
+/// passive; linux/drivers/net/can/slcan), and at the end of the channel before, frames of another
+/// rate.
+TEST_F(SlcanOpening, TheBitRateOfABusIsFoundByListening) {
+  ScriptedAdapter adapter(io, pty,
+                          {{"C", "t7FF0\r\r"}, {"S5 L", "\rsp128000\r"}, {"S6 L", "\rt1231AA\r"}});
+  const auto searching = bus("?bitrate=auto&listen=1");
+  EXPECT_EQ(searching->bit_rate(), std::nullopt);
+  EXPECT_EQ(run(io, searching->read())->frame.id, 0x123U);
+  EXPECT_EQ(adapter.got(), "\rC\rS5\rL\r\rC\rS6\rL\r");
+  EXPECT_EQ(searching->bit_rate(), 500'000U);
+  EXPECT_EQ(searching->note(), "500000 bit/s, found by listening");
+}
+
+TEST_F(SlcanOpening, ASearchLeavesOutTheRatesThatTheAdapterLacksAndSaysWhereItIs) {
+  ScriptedAdapter adapter(io, pty, {{"S5", "\a"}, {"S6", "\a"}});
+  const auto searching = bus("?bitrate=auto&listen=1");
+  const auto read = start(io, searching->read());
+  run_until(io, [&] { return adapter.got() == "\rC\rS5\rS6\rS4\rL\r"; });
+  EXPECT_EQ(adapter.got(), "\rC\rS5\rS6\rS4\rL\r");
+  EXPECT_THAT(searching->note(), AllOf(HasSubstr("no frame yet"), HasSubstr("125000 bit/s")));
+  searching->close();
+  run_until(io, [&] { return read->outcome.has_value(); });
+}
+
 TEST_F(SlcanOpening, AListeningLinkRefusesToWriteAndTheAdapterGetsNothing) {
   ScriptedAdapter adapter(io, pty, {{"L", "\rt1231AA\r"}});
   const auto listening = bus("?listen=1");

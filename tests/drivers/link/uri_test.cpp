@@ -69,6 +69,27 @@ TEST(Uri, AGatewayRunsOverAnyByteLinkAndItsDatagramsComeToAPortOfThisComputer) {
             "\"gateway:tcp:h:1?format=asc\": bad format \"asc\"; allowed: ydwg actisense ikonvert");
 }
 
+TEST(Uri, ModeListenIsListen1OnEveryCanLinkAndOnNoOther) {
+  for (const char* text :
+       {"socketcan:can0?mode=listen", "slcan:/dev/ttyACM0?mode=listen",
+        "gateway:tcp:h:1?mode=listen", "memory-can:b?mode=listen", "can:auto?mode=listen"}) {
+    const Uri uri = parse_uri(text).value();
+    EXPECT_TRUE(uri.only_listens()) << text;
+    EXPECT_EQ(uri.text_of("listen"), "1") << text;
+  }
+  EXPECT_EQ(error_of("socketcan:can0?mode=active"),
+            "\"socketcan:can0?mode=active\": bad mode \"active\"; allowed: listen");
+  EXPECT_FALSE(parse_uri("udp:0.0.0.0:2000?mode=listen"));
+}
+
+TEST(Uri, AnSlcanAdapterSearchesTheRateOnlyWhileItListens) {
+  const Uri uri = parse_uri("slcan:/dev/ttyACM0?bitrate=auto&mode=listen").value();
+  EXPECT_TRUE(uri.searches_bit_rate());
+  EXPECT_EQ(uri.bitrate(), 250'000U) << "until it is found";
+  EXPECT_FALSE(parse_uri("slcan:/dev/ttyACM0?bitrate=auto"));
+  EXPECT_FALSE(parse_uri("can:auto?bitrate=auto&listen=1"));
+}
+
 TEST(Uri, TheFrameOfAByteIsThatOfItsKeys) {
   const auto bits = [](const char* keys) {
     return parse_uri(std::string("serial:/dev/ttyS0?baud=9600") + keys).value().byte_frame().bits();
@@ -134,7 +155,7 @@ TEST(Uri, ABadValueListsWhatIsAllowed) {
   EXPECT_EQ(error_of("slcan:/dev/ttyACM0?bitrate=300000"),
             "\"slcan:/dev/ttyACM0?bitrate=300000\": bad bitrate \"300000\"; allowed: 10000 20000 "
             "50000 100000 "
-            "125000 250000 500000 800000 1000000");
+            "125000 250000 500000 800000 1000000, or auto");
   EXPECT_EQ(error_of("pty:dvl?baud=9600&baud=4800"),
             "\"pty:dvl?baud=9600&baud=4800\": key \"baud\" is given twice");
 }

@@ -332,6 +332,36 @@ TEST(LiveServerClients, ViewersThatHaveGoneGiveTheirPlaces) {
   clients.clear();
 }
 
+/// 100 viewers connect and never say or read anything more; a viewer that has asked for something
+/// keeps its place.
+TEST_F(BesideClients, ViewersThatNeverReadGiveWayToNewerOnes) {
+  const std::string upgrade =
+      "GET / HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+      "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n";
+  const auto view = [&]() -> Tcp::socket& {
+    auto& socket = connect();
+    asio::write(socket, asio::buffer(upgrade));
+    std::string answer;
+    boost::system::error_code gone;
+    asio::read_until(socket, asio::dynamic_buffer(answer), "\r\n\r\n", gone);
+    EXPECT_TRUE(answer.starts_with("HTTP/1.1 101")) << answer << gone;
+    return socket;
+  };
+  const auto is_answered = [](Tcp::socket& viewer) {
+    asio::write(viewer, asio::buffer(requests(1)));
+    std::string said;
+    boost::system::error_code gone;
+    asio::read_until(viewer, asio::dynamic_buffer(said), "\"level\"", gone);
+    return !gone;
+  };
+  Tcp::socket& asking = view();
+  ASSERT_TRUE(is_answered(asking));
+  for (int i = 0; i < 100; ++i) view();
+  const auto page = get("GET /" + to_end);
+  EXPECT_NE(page.find("<title>Drydock</title>"), std::string::npos) << page;
+  EXPECT_TRUE(is_answered(asking));
+}
+
 /// 16 bytes, one each 100 ms: each comes within the time, the request does not.
 TEST_F(BesideClients, AByteNowAndThenProlongsNoRequest) {
   auto& socket = connect();

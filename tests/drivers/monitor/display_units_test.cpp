@@ -36,6 +36,10 @@ TEST(DisplayUnits, AKnotIsANauticalMileAnHourAndABarAHundredKilopascal) {
   EXPECT_EQ(shown("pressure_pa", 101'325), "pressure 101.325 kPa");
 }
 
+TEST(DisplayUnits, TheSpeedOfSoundStaysInMetresASecond) {
+  EXPECT_EQ(shown("sound_speed_mps", 1490, "kn"), "sound_speed 1490.000 m/s");
+}
+
 TEST(DisplayUnits, AnEndingThatEndsWithAnotherIsNotTakenForIt) {
   EXPECT_EQ(shown("specific_force_mps2", 9.80665), "specific_force 9.80665 m/s2");
   EXPECT_EQ(shown("angular_rate_degps", 0.0041781), "angular_rate 0.0042 deg/s");

@@ -12,7 +12,7 @@ DeviceView imu_at(double rate_hz) {
   imu.nominal_rate_hz = 20;
   imu.rate_hz = rate_hz;
   imu.jitter_s = 0.02;
-  imu.values = {{.name = "specific_force"}};
+  imu.values = {{"specific_force", "", ""}};
   return imu;
 }
 
