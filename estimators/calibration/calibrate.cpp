@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "estimators/calibration/gauss_newton.hpp"
+#include "estimators/calibration/observability.hpp"
 #include "estimators/smoothing/level_smoother.hpp"
 
 namespace drydock::calibration {
@@ -11,10 +12,10 @@ namespace {
 
 using smoothing::Dive;
 using smoothing::LevelOptions;
-using smoothing::Quantity;
 
 constexpr double told_share = 0.3, weak_share = 0.7, confusing = 0.9;
 constexpr double wide_gate = 6;
+constexpr double most_expected = 3;  ///< sigmas of the prior
 
 LevelOptions with(const LevelOptions& options, const std::vector<Parameter>& parameters,
                   const Eigen::VectorXd& values) {
@@ -62,29 +63,19 @@ class Rows {
   LevelOptions options_;
 };
 
-bool has(const Dive& dive, Quantity quantity) {
-  return std::ranges::find(dive.readings, quantity, &smoothing::Reading::quantity) !=
-         dive.readings.end();
-}
-
-/// Why a dive does not tell a parameter that no other one hides.
-std::string reason(const Parameter& parameter, const Dive& dive) {
-  switch (parameter.unknown) {
+/// Why a dive does not tell a parameter that it might, and that no other one hides.
+std::string reason(Unknown unknown) {
+  switch (unknown) {
     case Unknown::yaw:
     case Unknown::scale:
-    case Unknown::deviation_constant:
-      return has(dive, Quantity::fix) ? "too little way between the fixes"
-                                      : "no fix: nothing says where the vehicle really went";
-    case Unknown::pitch:
-      return has(dive, Quantity::depth) ? "too little way with bottom track and depth"
-                                        : "no depth: nothing says how fast the vehicle sank";
+    case Unknown::deviation_constant: return "too little way between the fixes";
+    case Unknown::pitch: return "too little way with bottom track and depth";
     case Unknown::latency: return "what it measures changed too little";
     case Unknown::lever_ahead:
     case Unknown::lever_starboard: return "the vehicle turned too little";
     case Unknown::deviation_sine:
     case Unknown::deviation_cosine:
-      return has(dive, Quantity::fix) ? "too few headings, or too little way on them between fixes"
-                                      : "no fix: nothing says where the vehicle really went";
+      return "too few headings, or too little way on them between fixes";
   }
   return {};
 }
@@ -142,12 +133,46 @@ void fit_again(Dive& dive, LevelOptions& options, const LevelOptions& at,
   }
 }
 
+/// The parameters that the readings of a dive may tell, by index, and why not of the others.
+struct Observable {
+  std::vector<Parameter> parameters;
+  std::vector<std::size_t> index;
+  std::vector<std::string> why;  ///< by index of all; empty: observable
+
+  Observable(const std::vector<Parameter>& all, const Dive& dive) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      why.push_back(unobservable(all[i], dive));
+      if (!why.back().empty()) continue;
+      parameters.push_back(all[i]);
+      index.push_back(i);
+    }
+  }
+};
+
+/// The others stay as the rig has them, with the sigma of their prior.
+Maximum among_all(Maximum found, const Observable& observable, const std::vector<Parameter>& all) {
+  const Eigen::VectorXd prior = priors_of(all);
+  Eigen::VectorXd value = Eigen::VectorXd::Zero(prior.size());
+  Eigen::MatrixXd covariance = prior.cwiseAbs2().asDiagonal();
+  for (std::size_t i = 0; i < observable.index.size(); ++i) {
+    const auto to = static_cast<Eigen::Index>(observable.index[i]);
+    value(to) = found.value(static_cast<Eigen::Index>(i));
+    for (std::size_t j = 0; j < observable.index.size(); ++j)
+      covariance(to, static_cast<Eigen::Index>(observable.index[j])) =
+          found.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+  }
+  found.value = value;
+  found.covariance = covariance;
+  return found;
+}
+
 }  // namespace
 
 /// Where the search did not settle, the values are not the likeliest and the bounds not theirs.
-void judge(Calibration& result, const Dive& dive) {
+void judge(Calibration& result) {
   for (std::size_t i = 0; i < result.findings.size(); ++i) {
     Finding& finding = result.findings[i];
+    if (!finding.why.empty()) continue;  // no reading tells it
     if (!result.converged) {
       finding.verdict = Verdict::not_told;
       finding.why = "the search did not settle";
@@ -161,9 +186,16 @@ void judge(Calibration& result, const Dive& dive) {
       most = r;
       finding.confused_with = static_cast<int>(j);
     }
-    if (finding.verdict != Verdict::told)
+    if (std::abs(finding.value) > most_expected * finding.parameter.prior_sigma) {
+      finding.verdict = Verdict::not_told;
+      finding.confused_with = -1;
+      finding.why =
+          "more than 3 sigmas from what the rig says: if it may be so, write about this value into "
+          "the rig file and calibrate again";
+    } else if (finding.verdict != Verdict::told) {
       finding.why = finding.confused_with >= 0 ? "it cannot be told apart from another parameter"
-                                               : reason(finding.parameter, dive);
+                                               : reason(finding.parameter.unknown);
+    }
   }
 }
 
@@ -175,13 +207,14 @@ Calibration calibrate(Dive& dive, LevelOptions options, const std::vector<Parame
   options.sigmas.bottom_scale = options.sigmas.log_scale = 0;
   options.motion.heading_bias_rad = 0;
   if (fit) fit_again(dive, options, options, unstated, result.noise_factors);
-  Maximum found =
-      search(dive, options, parameters, Eigen::VectorXd::Zero(priors_of(parameters).size()));
+  const Observable observable(parameters, dive);
+  const auto& sought = observable.parameters;
+  Maximum found = search(dive, options, sought, Eigen::VectorXd::Zero(priors_of(sought).size()));
   if (fit) {
-    fit_again(dive, options, with(options, parameters, found.value), unstated,
-              result.noise_factors);
-    found = search(dive, options, parameters, found.value);
+    fit_again(dive, options, with(options, sought, found.value), unstated, result.noise_factors);
+    found = search(dive, options, sought, found.value);
   }
+  found = among_all(std::move(found), observable, parameters);
   result.options = with(options, parameters, found.value);
   result.correlation = correlation_of(found.covariance);
   result.iterations = found.iterations;
@@ -190,8 +223,9 @@ Calibration calibrate(Dive& dive, LevelOptions options, const std::vector<Parame
     const auto k = static_cast<Eigen::Index>(i);
     result.findings.push_back(
         finding_of(parameters[i], found.value(k), std::sqrt(found.covariance(k, k))));
+    result.findings.back().why = observable.why[i];
   }
-  judge(result, dive);
+  judge(result);
   return result;
 }
 

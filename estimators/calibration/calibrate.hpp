@@ -8,7 +8,7 @@
 namespace drydock::calibration {
 
 /// How well a dive tells a parameter: sigma below 0.3 of the prior's is told, below 0.7 weakly. A
-/// search that did not settle tells none.
+/// search that did not settle tells none, a value beyond 3 sigmas of its prior is not told.
 enum class Verdict : std::uint8_t { told, weakly, not_told };
 
 struct Finding {
@@ -30,13 +30,14 @@ struct Calibration {
   bool converged = false;
 };
 
-/// Tells nothing if the search did not settle, and why of what is not told.
-void judge(Calibration& result, const smoothing::Dive& dive);
+/// Tells nothing if the search did not settle, and why of what is not told. A reason that stands
+/// there stays.
+void judge(Calibration& result);
 
 /// Finds the parameters jointly by maximum likelihood of the smoother's forward filter. `dive`: its
 /// unstated noise is scaled to what was fitted. The heading's constant bias and the scales
-/// are no states here: parameters hold them. `fit`: fit the noise before and after a first
-/// calibration.
+/// are no states here: parameters hold them. A parameter that no reading tells stays 0. `fit`: fit
+/// the noise before and after a first calibration.
 Calibration calibrate(smoothing::Dive& dive, smoothing::LevelOptions options,
                       const std::vector<Parameter>& parameters,
                       const std::vector<smoothing::UnstatedNoise>& unstated, bool fit = true);

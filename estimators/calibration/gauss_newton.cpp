@@ -11,7 +11,9 @@ using Eigen::VectorXd;
 
 constexpr int most_iterations = 12, most_halvings = 5;
 constexpr double small_step = 0.01;  ///< of the bounds
-constexpr double flattest = 0.1;     ///< the least rise that is believed
+constexpr double bound_95 = 1.96;    ///< sigmas
+constexpr double widening = 1.25;    ///< steps of the search for a bound
+constexpr double rounded = 0.999;    ///< a rise that rounding made a little smaller
 
 /// Derivatives of the whitened residuals at fixed sigma, and of ln sigma.
 struct Slopes {
@@ -78,22 +80,35 @@ struct Beside {
   bool better = false;  ///< somewhere
 };
 
-/// How much wider the bound of each number is than that of a likelihood with constant curvature: by
-/// how much -2 ln rises one sigma beside the maximum, on the ridge along which the other numbers
-/// follow. 1 is the rise of a parabola.
+/// How far the 95 % bound of each number is from the maximum, in units of that of a likelihood with
+/// constant curvature: -2 ln rises by 1.96 squared there (S. S. Wilks, 1938), on the ridge along
+/// which the other numbers follow. The farther side counts, and never less than 1: readings of a
+/// latency that almost come at once give slopes that no longer hold a tenth of a second beside.
 Beside look_beside(const Problem& problem, const VectorXd& x, double cost,
                    const MatrixXd& covariance) {
+  constexpr double limit = bound_95 * bound_95;
   Beside found{VectorXd(x.size())};
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const VectorXd ridge = covariance.col(i) / std::sqrt(covariance(i, i));
-    double rise = 0;
+    const auto rise_at = [&](double sigmas) {
+      const VectorXd beside = x + sigmas * ridge;
+      const double rise = Problem::cost(problem.at(beside), beside) - cost;
+      found.better |= rise < 0;
+      return rise;
+    };
+    double farthest = bound_95;
     for (const double side : {-1.0, 1.0}) {
-      const VectorXd beside = x + side * ridge;
-      const double higher = Problem::cost(problem.at(beside), beside) - cost;
-      found.better |= higher < 0;
-      rise += higher / 2;
+      double at = bound_95, rise = rise_at(side * at);
+      // The prior alone rises by the limit before the bound is that of the prior.
+      while (rise < rounded * limit && at * std::sqrt(covariance(i, i)) < bound_95) {
+        const double before = at, risen = rise;
+        at *= widening;
+        rise = rise_at(side * at);
+        if (rise > limit) at = before + (at - before) * (limit - risen) / (rise - risen);
+      }
+      farthest = std::max(farthest, at);
     }
-    found.wider(i) = 1 / std::sqrt(std::clamp(rise, flattest, 1.0));
+    found.wider(i) = farthest / bound_95;
   }
   return found;
 }

@@ -15,10 +15,11 @@ using ResidualsAt = std::function<Normals(const Eigen::VectorXd&)>;
 
 struct Maximum {
   Eigen::VectorXd value;
-  /// Inverse of Fisher's information, with the prior; wider where the likelihood falls less.
+  /// Inverse of Fisher's information, with the prior; wider where the likelihood falls less within
+  /// the 95 % bound.
   Eigen::MatrixXd covariance;
   int iterations = 0;
-  /// The last step was below a hundredth of the bounds, or nothing at one sigma beside is likelier:
+  /// The last step was below a hundredth of the bounds, or nothing at the bounds is likelier:
   /// a likelihood with leaps has a maximum at which no slope is zero.
   bool converged = false;
 };

@@ -69,6 +69,13 @@ Outcome calibrated(track::Gathered gathered) {
         "roll and pitch are the DVL's own: pitch is that of its beams against its tilt sensors; "
         "its "
         "mounting in the vehicle cannot be told");
+  if (gathered.own_depth)
+    gathered.notes.emplace_back(
+        "the depth is the DVL's own: it is taken as exact but for its noise");
+  if (track::has(gathered.dive, Quantity::bottom))
+    gathered.notes.emplace_back(
+        "the roll of a DVL's mounting is not told: it turns the velocity about the way ahead, and "
+        "stays as the rig has it");
   if (gathered.dive.tilts.empty())
     gathered.notes.emplace_back("nothing tells roll and pitch: the vehicle is taken as level");
   const auto options = track::level_of(gathered, {});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace drydock::characterize {
@@ -42,9 +43,15 @@ double median_gap(const std::vector<double>& times) {
   return *middle;
 }
 
+/// From so many periods on nobody lost samples one by one: the sensor or the recorder paused.
+constexpr double shortest_pause = 100;
+
+/// The samples' numbers, and the first sample of each run between pauses.
 struct Numbers {
   std::vector<double> of_samples;
+  std::vector<std::size_t> runs{0};
   std::size_t outages = 0, lost = 0;
+  double paused_s = 0;
 };
 
 Numbers numbered(const std::vector<double>& times, double period) {
@@ -54,7 +61,10 @@ Numbers numbered(const std::vector<double>& times, double period) {
   for (std::size_t i = 1; i < times.size(); ++i) {
     const double periods = (times[i] - times[i - 1]) / period;
     double step = 1;
-    if (periods > longest_regular) {
+    if (periods > shortest_pause) {
+      numbers.runs.push_back(i);
+      numbers.paused_s += times[i] - times[i - 1];
+    } else if (periods > longest_regular) {
       step = std::round(periods);
       ++numbers.outages;
       numbers.lost += static_cast<std::size_t>(step) - 1;
@@ -69,26 +79,33 @@ struct Line {
   double rms = 0, largest = 0;  ///< residuals
 };
 
-Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
-  const auto n = static_cast<double>(x.size());
-  double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    mean_x += x[i] / n;
-    mean_y += y[i] / n;
+double mean_of(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// One slope for all runs; each has a level of its own, since no period divides a pause.
+Line fit_line(const std::vector<double>& x, const std::vector<double>& y,
+              const std::vector<std::size_t>& runs) {
+  std::vector<double> dx, dy;  // from the means of the run
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const auto end = r + 1 < runs.size() ? runs[r + 1] : x.size();
+    const auto xs = std::span(x).subspan(runs[r], end - runs[r]);
+    const auto ys = std::span(y).subspan(runs[r], end - runs[r]);
+    const double mean_x = mean_of(xs), mean_y = mean_of(ys);
+    for (const double value : xs) dx.push_back(value - mean_x);
+    for (const double value : ys) dy.push_back(value - mean_y);
   }
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    xx += (x[i] - mean_x) * (x[i] - mean_x);
-    xy += (x[i] - mean_x) * (y[i] - mean_y);
-  }
-  Line line{.slope = xy / xx};
+  const double xx = std::inner_product(dx.begin(), dx.end(), dx.begin(), 0.0);
+  Line line{.slope = std::inner_product(dx.begin(), dx.end(), dy.begin(), 0.0) / xx};
   double squares = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double rest = y[i] - mean_y - line.slope * (x[i] - mean_x);
+  for (std::size_t i = 0; i < dx.size(); ++i) {
+    const double rest = dy[i] - line.slope * dx[i];
     squares += rest * rest;
     line.largest = std::max(line.largest, std::abs(rest));
   }
+  const auto n = static_cast<double>(x.size());
   line.rms = std::sqrt(squares / n);
-  line.sigma = std::sqrt(squares / (n - 2) / xx);
+  line.sigma = std::sqrt(squares / std::max(1.0, n - 1 - static_cast<double>(runs.size())) / xx);
   return line;
 }
 
@@ -130,17 +147,19 @@ std::optional<TimingFigures> timing_of(std::span<const Origin> origins) {
   const double period = median_gap(gaps_of);
   if (!(period > 0)) return std::nullopt;
   const Numbers numbers = numbered(gaps_of, period);
-  const Line line = fit_line(numbers.of_samples, arrivals);
+  const Line line = fit_line(numbers.of_samples, arrivals, numbers.runs);
   if (!(line.slope > 0)) return std::nullopt;
   TimingFigures figures;
   figures.samples = origins.size();
   figures.rate_hz = rate_of(line);
   if (!device_times.empty())
-    figures.device_rate_hz = rate_of(fit_line(numbers.of_samples, device_times));
+    figures.device_rate_hz = rate_of(fit_line(numbers.of_samples, device_times, numbers.runs));
   figures.jitter_s = line.rms;
   figures.largest_jitter_s = line.largest;
   figures.outages = numbers.outages;
   figures.lost = numbers.lost;
+  figures.pauses = numbers.runs.size() - 1;
+  figures.paused_s = numbers.paused_s;
   figures.outage_probability = share(numbers.outages, origins.size());
   if (numbers.outages > 0)
     figures.mean_outage = static_cast<double>(numbers.lost) / static_cast<double>(numbers.outages);

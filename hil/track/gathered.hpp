@@ -27,8 +27,9 @@ struct Gathered {
   measurement::Stamp utc{};    ///< the same, as a receiver tells it where the capture does not
   smoothing::Dive dive;
   std::vector<smoothing::UnstatedNoise>
-      unstated;                                 ///< sensors that do not say how accurate they are
-  bool own_heading = false, own_tilts = false;  ///< they are those of the DVL's own sensors
+      unstated;  ///< sensors that do not say how accurate they are
+  /// They are those of the DVL's own sensors.
+  bool own_heading = false, own_tilts = false, own_depth = false;
   std::vector<TruthPoint> truth;
   std::map<std::uint16_t, double> sound_speed_mps;   ///< that DVLs used, by device
   std::map<std::string, std::uint64_t> passed_over;  ///< values that no track can use, by reason

@@ -96,6 +96,8 @@ void Gatherer::hear(const measurement::BottomVelocity& track) {
   } else {
     pass_over("DVL without bottom track");
   }
+  if (track.depth_m && std::isfinite(*track.depth_m))
+    head_depths_[track.origin.device].push_back({track.origin, *track.depth_m});
   attitudes_.hear(time_of(track.origin.valid_at), track);
 }
 
@@ -149,8 +151,24 @@ void Gatherer::take_attitudes() {
   gathered_.dive.tilts = std::move(tilts.all);
 }
 
+/// The depth of a head counts only where no depth sensor spoke. One that never changes is a setting
+/// of the head.
+void Gatherer::take_own_depths() {
+  if (std::ranges::find(gathered_.dive.readings, Quantity::depth, &smoothing::Reading::quantity) !=
+      gathered_.dive.readings.end())
+    return;
+  for (const auto& [device, depths] : head_depths_) {
+    const auto [least, most] = std::ranges::minmax(depths, {}, &HeadDepth::m);
+    if (!(least.m < most.m)) continue;
+    gathered_.own_depth = true;
+    for (const auto& depth : depths)
+      add(Quantity::depth, depth.origin, {depth.m, 0, 0}, {}, usual_depth_m);
+  }
+}
+
 Gathered Gatherer::take() {
   take_attitudes();
+  take_own_depths();
   auto& dive = gathered_.dive;
   std::ranges::stable_sort(dive.readings, {}, &smoothing::Reading::time_s);
   std::ranges::stable_sort(dive.inertial, {}, &smoothing::InertialReading::time_s);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <map>
+#include <vector>
+
 #include "drivers/host/follower.hpp"
 #include "hil/track/attitudes.hpp"
 #include "hil/track/gathered.hpp"
@@ -38,6 +41,7 @@ class Gatherer final : public host::Follower {
   void add(Quantity quantity, const measurement::Origin& origin, const Eigen::Vector3d& value,
            const std::optional<Eigen::Vector3d>& sigma, double usual);
   void take_attitudes();
+  void take_own_depths();
   double time_of(Stamp at);
   void pass_over(const std::string& reason) { ++gathered_.passed_over[reason]; }
 
@@ -48,6 +52,11 @@ class Gatherer final : public host::Follower {
   std::optional<std::chrono::nanoseconds> utc_ahead_;  ///< of the times of the measurements
   Gathered gathered_;
   Attitudes attitudes_;
+  struct HeadDepth {
+    measurement::Origin origin;
+    double m;
+  };
+  std::map<std::uint16_t, std::vector<HeadDepth>> head_depths_;  ///< of DVLs, by device
 };
 
 }  // namespace drydock::track

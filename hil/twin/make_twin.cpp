@@ -56,6 +56,19 @@ double rate_of(const DeviceStatistics& statistics, rig_config::DeviceKind kind, 
   return std::stod(fmt::format("{:.4g}", std::clamp(rate, 0.001, 1000.0)));
 }
 
+/// The depth of a DVL's head comes in steps, which the vertical velocity of the track would follow:
+/// the twin's DVL would measure more noise than the recorded one. So a twin keeps the soundings.
+void leave_out_own_depth(track::Gathered& gathered) {
+  if (!gathered.own_depth) return;
+  std::erase_if(gathered.dive.readings, [](const smoothing::Reading& reading) {
+    return reading.quantity == smoothing::Quantity::depth;
+  });
+  std::erase_if(gathered.unstated, [](const smoothing::UnstatedNoise& noise) {
+    return noise.quantity == smoothing::Quantity::depth;
+  });
+  gathered.own_depth = false;
+}
+
 /// One twin, step by step: each function needs what the ones before it made.
 class Making {
  public:
@@ -74,6 +87,7 @@ class Making {
 
   void make_track() {
     auto gathered = track::gather(options_.source, &recorded_);
+    leave_out_own_depth(gathered);
     outcome_.source = gathered.source;
     outcome_.folder = options_.folder;
     outcome_.recorded =
@@ -120,7 +134,7 @@ class Making {
       poses_[i].position.height_m += beds[i] - beds.front();
     keep_under_water();
     outcome_.notes.emplace_back(
-        "nothing tells the depth: the vehicle keeps its height above a level bed; where it is "
+        "no depth sensor: the vehicle keeps its height above a level bed; where it is "
         "highest it is at the surface");
   }
 
@@ -204,6 +218,7 @@ class Making {
   }
 
   void track_again(track::Gathered gathered) {
+    leave_out_own_depth(gathered);
     try {
       outcome_.sailed =
           track::smoothed(std::move(gathered),

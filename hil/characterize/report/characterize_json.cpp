@@ -29,7 +29,9 @@ ordered_json timing_json(const characterize::DeviceFigures& figures) {
           {"outages", t.outages},
           {"lost", t.lost},
           {"outage_probability", of(t.outage_probability)},
-          {"mean_outage_samples", t.mean_outage}};
+          {"mean_outage_samples", t.mean_outage},
+          {"pauses", t.pauses},
+          {"paused_s", t.paused_s}};
 }
 
 ordered_json axis_json(const characterize::AxisFigures& axis) {

@@ -55,6 +55,9 @@ report::Table timing_table(const Characterized& device) {
   row("lost", std::to_string(t.lost), fmt::format("in {} outages", t.outages));
   row("an outage begins, a sample", fmt::format("{:.3g}", t.outage_probability.value),
       bounds(t.outage_probability));
+  if (t.pauses > 0)
+    row("pauses [s]", fmt::format("{:.2f}", t.paused_s),
+        fmt::format("{} of more than 100 periods: no outages", t.pauses));
   table.note = by_device
                    ? "The capture has no times of arrival: no age, no drift of the clock."
                    : "Age on arrival: wire time and stated latency, as the driver accounts for "

@@ -49,16 +49,57 @@ TEST(Calibrate, FindsYawAndScaleOfADvlWithinItsBounds) {
   EXPECT_LT(std::abs(found.findings[1].value - scale), 3 * found.findings[1].sigma);
 }
 
-TEST(Calibrate, WithoutFixesItSaysThatTheYawCannotBeTold) {
-  // Each reading of speed stands for itself: then nothing links sway with the speed ahead.
+TEST(Calibrate, WithoutFixesWhatOnlyTheyTellStaysAsTheRigHasIt) {
   Drawn dive = wrong_dive(12);
   std::erase_if(dive.dive.readings,
                 [](const auto& reading) { return reading.quantity == Quantity::fix; });
-  auto options = options_of(dive);
-  options.motion.velocity_mps = 1;
-  const auto found = calibrate(dive.dive, options, {both[0]}, {}, false);
-  EXPECT_NE(found.findings[0].verdict, Verdict::told);
-  EXPECT_NE(found.findings[0].why.find("no fix"), std::string::npos) << found.findings[0].why;
+  const auto found = calibrate(dive.dive, options_of(dive), parameters_of(dive.dive), {}, false);
+  EXPECT_TRUE(found.converged);
+  for (const auto& finding : found.findings) {
+    const auto unknown = finding.parameter.unknown;
+    if (unknown == Unknown::pitch) continue;
+    EXPECT_EQ(finding.verdict, Verdict::not_told) << name_of(unknown);
+    EXPECT_EQ(finding.value, 0) << name_of(unknown);
+    EXPECT_EQ(finding.sigma, finding.parameter.prior_sigma) << name_of(unknown);
+    EXPECT_NE(finding.why.find("no fix"), std::string::npos) << finding.why;
+  }
+}
+
+TEST(Calibrate, FixesAtOneEndTellNoYaw) {
+  Drawn dive = wrong_dive(12);
+  double surfaced = 0;
+  for (const auto& reading : dive.dive.readings) surfaced = std::max(surfaced, reading.time_s);
+  std::erase_if(dive.dive.readings, [&](const auto& reading) {
+    return reading.quantity == Quantity::fix && reading.time_s < surfaced - 3;
+  });
+  const auto found = calibrate(dive.dive, options_of(dive), {both[0]}, {}, false);
+  EXPECT_EQ(found.findings[0].verdict, Verdict::not_told);
+  EXPECT_NE(found.findings[0].why.find("between two fixes"), std::string::npos);
+}
+
+TEST(Calibrate, ADiveWithoutDepthAndHeightsTellsNoPitch) {
+  Drawn dive = wrong_dive(12);
+  for (auto& reading : dive.dive.readings)
+    if (reading.quantity == Quantity::fix) reading.value.z() = std::nan("");
+  std::erase_if(dive.dive.readings,
+                [](const auto& reading) { return reading.quantity == Quantity::depth; });
+  const auto found = calibrate(dive.dive, options_of(dive),
+                               {{0, Unknown::pitch, usual_prior(Unknown::pitch)}}, {}, false);
+  EXPECT_EQ(found.findings[0].verdict, Verdict::not_told);
+  EXPECT_NE(found.findings[0].why.find("no depth"), std::string::npos);
+}
+
+TEST(Calibrate, AValueThatNobodyCouldExpectIsNotTold) {
+  Calibration result;
+  const double prior = usual_prior(Unknown::yaw);
+  result.findings.push_back({both[0], 2.9 * prior, 0.01 * prior, Verdict::told, {}, -1});
+  result.findings.push_back({both[0], -3.1 * prior, 0.01 * prior, Verdict::told, {}, -1});
+  result.correlation = Eigen::MatrixXd::Identity(2, 2);
+  result.converged = true;
+  judge(result);
+  EXPECT_EQ(result.findings[0].verdict, Verdict::told);
+  EXPECT_EQ(result.findings[1].verdict, Verdict::not_told);
+  EXPECT_NE(result.findings[1].why.find("3 sigmas"), std::string::npos);
 }
 
 TEST(Calibrate, SaysWhichTwoParametersHideEachOther) {
@@ -78,10 +119,10 @@ TEST(Calibrate, ASearchThatDoesNotSettleTellsNothing) {
   result.findings.push_back({both[0], yaw, 0.01 * yaw, Verdict::told, {}, -1});
   result.correlation = Eigen::MatrixXd::Identity(1, 1);
   result.converged = true;
-  judge(result, {});
+  judge(result);
   EXPECT_EQ(result.findings[0].verdict, Verdict::told);
   result.converged = false;
-  judge(result, {});
+  judge(result);
   EXPECT_EQ(result.findings[0].verdict, Verdict::not_told);
   EXPECT_EQ(result.findings[0].why, "the search did not settle");
 }

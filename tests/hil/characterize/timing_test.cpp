@@ -48,6 +48,21 @@ TEST(Timing, MissingSamplesAreCountedAndDoNotSlowTheRate) {
   EXPECT_TRUE(timing.outage_probability.holds(0.01));
 }
 
+// Half a period off the grid behind the pause, and one sample lost before it.
+TEST(Timing, APauseIsNoOutageAndNoJitter) {
+  std::vector<Origin> origins;
+  for (int k = 0; k < 400; ++k)
+    if (k != 50) origins.push_back(at(k * 2.03 + (k < 200 ? 0 : 4722.07), 0));
+  const auto timing = timing_of(origins).value();
+  EXPECT_EQ(timing.outages, 1U);
+  EXPECT_EQ(timing.lost, 1U);
+  EXPECT_NEAR(timing.mean_outage, 1, 1e-12);
+  EXPECT_EQ(timing.pauses, 1U);
+  EXPECT_NEAR(timing.paused_s, 4722.07 + 2.03, 1e-6);
+  EXPECT_NEAR(timing.rate_hz.value, 1 / 2.03, 1e-9);
+  EXPECT_LT(timing.largest_jitter_s, 1e-6);
+}
+
 // Two captures in one file, years apart: the clock jumps, the rate of the samples does not.
 TEST(Timing, AClockThatJumpsByYearsIsNotAskedForTheRate) {
   std::vector<Origin> origins;

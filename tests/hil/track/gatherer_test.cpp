@@ -117,5 +117,43 @@ TEST_F(OneDive, ASlowCompassCountsBeforeAFastHead) {
   EXPECT_FALSE(gatherer_.take().own_tilts);
 }
 
+std::vector<double> depths_of(const Gathered& gathered) {
+  std::vector<double> depths;
+  for (const auto& reading : gathered.dive.readings)
+    if (reading.quantity == Quantity::depth) depths.push_back(reading.value.x());
+  return depths;
+}
+
+BottomVelocity head_at_depth(double t, double depth_m) {
+  auto track = head(t);
+  track.depth_m = depth_m;
+  return track;
+}
+
+TEST_F(OneDive, WithoutADepthSensorTheDepthOfTheHeadCounts) {
+  for (int t = 0; t < 3; ++t) gatherer_.on_measurement(head_at_depth(t, 4 + 0.5 * t));
+  const auto gathered = gatherer_.take();
+  EXPECT_TRUE(gathered.own_depth);
+  EXPECT_EQ(depths_of(gathered), (std::vector{4.0, 4.5, 5.0}));
+}
+
+TEST_F(OneDive, ADepthOfTheHeadThatNeverChangesIsASetting) {
+  for (int t = 0; t < 3; ++t) gatherer_.on_measurement(head_at_depth(t, 2));
+  const auto gathered = gatherer_.take();
+  EXPECT_FALSE(gathered.own_depth);
+  EXPECT_TRUE(depths_of(gathered).empty());
+}
+
+TEST_F(OneDive, BesideADepthSensorTheHeadsDepthDoesNotCount) {
+  for (int t = 0; t < 3; ++t) gatherer_.on_measurement(head_at_depth(t, 4 + t));
+  DepthSample sample;
+  sample.origin = origin(1, compass);
+  sample.depth_m = 7;
+  gatherer_.on_measurement(sample);
+  const auto gathered = gatherer_.take();
+  EXPECT_FALSE(gathered.own_depth);
+  EXPECT_EQ(depths_of(gathered), std::vector{7.0});
+}
+
 }  // namespace
 }  // namespace drydock::track::gatherer_test
