@@ -30,6 +30,11 @@ class ConstantFit {
     double sigma(int k) const { return std::sqrt(covariance(k, k)); }
     /// Of the y that belongs to x.
     double sigma_of(const Vector& x) const { return std::sqrt(x.dot(covariance * x)); }
+    /// Less is known of a_k than the data seem to tell, and so of those that go with it.
+    void widen(int k, double sigma) {
+      const Vector with = covariance.col(k) / covariance(k, k);
+      covariance += (sigma * sigma - covariance(k, k)) * with * with.transpose();
+    }
   };
   Answer solve() const {
     const Answer rough = solve_for(floor_ * floor_);

@@ -5,6 +5,7 @@ namespace {
 
 constexpr double rate_memory_s = 0.5;
 constexpr double anchor_s = 300;
+constexpr double longest_alone_s = 10;
 /// The median of two lies in the middle: each differs by half, sqrt(2) / 2 of a sigma.
 constexpr double half_of_pair = 0.7071;
 
@@ -49,6 +50,13 @@ void Group::move_to(std::optional<double> value, double dt) {
   else
     rate_ = 0;
   value_ = value;
+}
+
+/// A sum that was alone went its own way: it begins anew beside the others.
+void Group::note_alone(Witness& witness, double dt, std::size_t seen) {
+  if (!witness.seen || witness.test.facts().sum_above > 0) return;
+  if (seen > 1 && witness.alone_s > longest_alone_s) witness.test.restart();
+  witness.alone_s = seen > 1 ? 0 : witness.alone_s + dt;
 }
 
 void Group::test(Witness& witness, Stamp at, std::size_t seen) const {

@@ -20,6 +20,7 @@ struct Witness {
   // of this time
   bool seen = false, fresh = false, present = false, votes = false;
   double value = 0, sigma = 0;
+  double alone_s = 0;           ///< how long no other has been seen
   double spread = 0, wide = 0;  ///< the test's spread, and with sigma
   std::uint64_t serial = 0;
 
@@ -83,6 +84,7 @@ class Group {
     std::optional<double> median() const;
   };
   void move_to(std::optional<double> value, double dt);
+  static void note_alone(Witness& witness, double dt, std::size_t seen);
   void test(Witness& witness, Stamp at, std::size_t seen) const;
   double sigma_among_others(const Witness& witness) const;
 
@@ -117,7 +119,11 @@ void Group::settle(Stamp at, double dt, const Distrusted& distrusted) {
   worst_sigma_ = worst;
   sole_ = trusted.single.size() + trusted.kin.size() == 1 ? voter : nullptr;
   move_to((sound.count() > 0 ? sound : trusted.count() > 0 ? trusted : any).median(), dt);
-  for (Witness& witness : witnesses_) test(witness, at, any.single.size() + any.kin.size());
+  const std::size_t seen = any.single.size() + any.kin.size();
+  for (Witness& witness : witnesses_) {
+    note_alone(witness, dt, seen);
+    test(witness, at, seen);
+  }
 }
 
 }  // namespace drydock::consistency

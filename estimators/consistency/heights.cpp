@@ -5,8 +5,12 @@
 namespace drydock::consistency {
 namespace {
 
-constexpr TestFacts depth_facts{
-    .floor = 0.08, .wander = 0.005, .late_s = 0.1, .quantity = "depth", .unit = "m"};
+constexpr TestFacts depth_facts{.floor = 0.08,
+                                .wander = 0.005,
+                                .others_wander = 0.06,
+                                .late_s = 0.1,
+                                .quantity = "depth",
+                                .unit = "m"};
 constexpr TestFacts sum_facts{.floor = 0.08,
                               .wander = 0.03,
                               .trend = 0.03,

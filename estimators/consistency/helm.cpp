@@ -14,12 +14,18 @@ constexpr double filter_s = 0.4;
 constexpr double usual_a_m = 100, usual_b_m2 = 1000, usual_zero = 2 * units::degree;
 constexpr double steering_noise = 1 * units::degree;  // of one step; neighbours are not independent
 constexpr double steered_memory = 0.9993;             // a step of 0.2 s: 300 s
-constexpr double part_sigma = 0.1;   // of a k and of b dk/ds: they differ by manoeuvres
-constexpr double known_share = 0.1;  // of a: then the law is known
+/// What a k and b dk/ds leave over is a share of both: they differ by manoeuvres, and a hull that
+/// drifts in its turn remembers it for some lengths.
+constexpr double first_share = 0.3, least_share = 0.15, remembered_way_m = 25;
+constexpr double first_turn = 100 * (10 * units::degree) * (10 * units::degree);  // 20 s, 10 deg
+constexpr double known_share = 0.03;  // of a: then the law is known
 
 }  // namespace
 
-Helm::Helm() : fit_({usual_a_m, usual_b_m2, usual_zero}, steering_noise, steered_memory) {}
+Helm::Helm()
+    : fit_({usual_a_m, usual_b_m2, usual_zero}, steering_noise, steered_memory),
+      wrong_square_(first_share * first_share * first_turn),
+      excited_square_(first_turn) {}
 
 void Helm::take(double rudder_rad, double curvature_1pm, double speed_mps, double dt) {
   if (!begun_) {
@@ -33,6 +39,17 @@ void Helm::take(double rudder_rad, double curvature_1pm, double speed_mps, doubl
   once_ += share * (curvature_1pm - once_);
   twice_ += share * (once_ - twice_);
   speed_mps_ = speed_mps;
+  const auto law = fit_.solve().value;
+  const double parts = law.cwiseProduct(terms()).head<2>().norm();
+  excited_rad_ = std::max(parts, excited_rad_ * std::exp(-speed_mps * dt / remembered_way_m));
+}
+
+double Helm::wrong() const { return rudders_.back() - fit_.solve().value.dot(terms()); }
+
+void Helm::note_wrong() {
+  const double off = wrong();
+  wrong_square_ = steered_memory * wrong_square_ + off * off;
+  excited_square_ = steered_memory * excited_square_ + excited_rad_ * excited_rad_;
 }
 
 /// The derivative of a low pass is its input less its output, over its time.
@@ -41,8 +58,8 @@ Helm::Fit::Vector Helm::terms() const {
 }
 
 void Helm::learn() {
-  const double wrong = (rudders_.back() - fit_.solve().value.dot(terms())) / steering_noise;
-  misfit_ = steered_memory * misfit_ + wrong * wrong;
+  const double sigmas = wrong() / steering_noise;
+  misfit_ = steered_memory * misfit_ + sigmas * sigmas;
   fit_.add(rudders_.back(), terms());
 }
 
@@ -50,9 +67,9 @@ std::optional<Helm::Answer> Helm::answer() {
   const Fit::Answer law = fit_.solve();
   known_ = known_ || law.sigma(0) < known_share * std::abs(law.value[0]);
   if (!known_) return {};
-  const Eigen::Vector2d parts = law.value.cwiseProduct(terms()).head<2>();
+  const double share = std::max(least_share, std::sqrt(wrong_square_ / excited_square_));
   return Answer{rudders_.back(), law.value.dot(terms()),
-                std::hypot(law.sigma_of(terms()), part_sigma * parts.norm())};
+                std::hypot(law.sigma_of(terms()), share * excited_rad_)};
 }
 
 }  // namespace drydock::consistency

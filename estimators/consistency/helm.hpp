@@ -18,6 +18,8 @@ class Helm {
   void take(double rudder_rad, double curvature_1pm, double speed_mps, double dt);
   /// The state of the last step teaches the law. Only while nothing accuses the rudder.
   void learn();
+  /// What the law says wrong now counts for its sigma. While no alarm accuses the rudder.
+  void note_wrong();
   /// After a gap the filters begin anew; what was learned stays.
   void interrupt() { begun_ = false; }
 
@@ -34,11 +36,14 @@ class Helm {
  private:
   using Fit = ConstantFit<3>;
   Fit::Vector terms() const;
+  double wrong() const;
 
   Fit fit_;
   std::array<double, 5> rudders_{};  ///< rad, the newest first
   double once_ = 0, twice_ = 0;      ///< curvature behind one and two low passes
   double speed_mps_ = 1, misfit_ = 0;
+  double excited_rad_ = 0;                ///< the rudder that lately turned the hull
+  double wrong_square_, excited_square_;  ///< sums
   bool begun_ = false, known_ = false;
 };
 

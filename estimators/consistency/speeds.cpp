@@ -28,6 +28,7 @@ constexpr TestFacts shaft_facts{.floor = 0.025,
                                 .wander = 0.002,
                                 .late_s = 0.2,
                                 .scales = true,
+                                .holds = true,
                                 .quantity = quantity,
                                 .unit = "m/s"};
 

@@ -37,6 +37,7 @@ class Steering {
 
   const Tracks& tracks_;
   std::vector<Rudder> rudders_;
+  double ground_mps_ = 0, water_mps_ = 0;  ///< low-passed; 0: not known
 };
 
 }  // namespace drydock::consistency

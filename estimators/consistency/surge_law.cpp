@@ -6,7 +6,7 @@ namespace drydock::consistency {
 namespace {
 
 /// Two low passes of this time; they make the derivative of a speed with noise.
-constexpr double surge_filter_s = 2;
+constexpr double surge_filter_s = 4;
 /// 1 sigma around 0: a ship with a propeller of 5 m a turn and a hull of 100 m still fits.
 constexpr double usual_thrust_m2 = 1, usual_way_m = 300, usual_drift_m = 20, usual_turn_m2 = 100;
 constexpr double surge_noise_mps = 0.1;     // of one step; neighbours are not independent
@@ -15,9 +15,10 @@ constexpr double known_thrust_share = 0.1;  // of a: then the law is known
 constexpr double fewest_steps = 200;
 /// m itself differs between manoeuvres by so much.
 constexpr double way_share = 0.1, least_way_sigma_m = 0.5;
-/// 1 sigma of dw/dt at a steady speed: this noise of the sensors seems to tell m.
-constexpr double change_noise_mps2 = 0.005;
-constexpr double least_told_share = 1.0 / 9;  // three times the sigma of the fit at most
+/// 1 sigma of dw/dt that noise makes, of 1 m/s of noise of the speed: five times that of white
+/// noise, since sensors err for longer than a step.
+constexpr double change_of_noise = 0.12;
+constexpr double speed_noise_samples = 300;
 /// So does d r^2: a rudder that is put over slows before the hull turns, and drift comes last.
 constexpr double turn_share = 0.1;
 constexpr double slowest_mps = 0.2, least_way_m = 1e-3;
@@ -50,10 +51,22 @@ void SurgeLaw::take(const Input& input, double dt) {
     return;
   }
   if (!begun_) once_ = twice_ = now;
+  if (!begun_) lately_ = 0;
   begun_ = true;
+  note_noise(speed);
   const double share = dt / (surge_filter_s + dt);
   follow(once_, now, share);
   follow(twice_, once_, share);
+}
+
+/// The second difference of a speed knows no steady change: of noise it is six times its square.
+void SurgeLaw::note_noise(double speed_mps) {
+  std::shift_right(recent_mps_.begin(), recent_mps_.end(), 1);
+  recent_mps_[0] = speed_mps;
+  if (++lately_ < recent_mps_.size()) return;
+  const double bend = recent_mps_[0] - 2 * recent_mps_[recent_mps_.size() / 2] + recent_mps_.back();
+  samples_ = std::min(samples_ + 1, speed_noise_samples);
+  speed_noise_square_ += (bend * bend / 6 - speed_noise_square_) / samples_;
 }
 
 /// What a turn takes is not known now.
@@ -64,11 +77,14 @@ void SurgeLaw::begin_at(std::optional<double> ahead_mps) {
   moved_.setZero();
 }
 
-/// What noise told of m counts little: without a change of speed there is nothing else.
-double SurgeLaw::way_sigma_m() const {
-  const double told = 1 / surge_square(law_.sigma(1));
-  const double sure = std::max(told - noise_told_, least_told_share * told);
-  return std::hypot(1 / std::sqrt(sure), way_share * law_.value[1], least_way_sigma_m);
+/// The noise of dw/dt seems to tell m, and that it is small. Without a change of speed there is
+/// nothing else.
+double SurgeLaw::way_sigma_m(const Fit::Answer& law) const {
+  const double told = 1 / surge_square(law.sigma(1));
+  const double sure = std::max(told - noise_told_, 1 / surge_square(usual_way_m));
+  const double lost = std::min(usual_way_m, std::abs(law.value[1]) * (told - sure) / sure);
+  const double share = std::max(way_share * std::abs(law.value[1]), least_way_sigma_m);
+  return std::sqrt(1 / sure + lost * lost + share * share);
 }
 
 /// dw/dt = (a n^2 + g r v - d r^2 - w^2) / m, exact over a step in which w changes little. The
@@ -77,7 +93,7 @@ void SurgeLaw::move(const Filtered& drive, double dt) {
   if (!known_) return;
   const Fit::Vector drives{drive.thrust, 0, drive.drift, -drive.turn};
   const double steady = std::max(0.0, law_.value.dot(drives));
-  const double sigma_m = way_sigma_m();
+  const double sigma_m = law_.sigma(1);
   const auto share_at = [&](double speed, double way_m) {
     return 1 - std::exp(-2 * std::max(speed, slowest_mps) * dt / std::max(way_m, least_way_m));
   };
@@ -105,9 +121,11 @@ void SurgeLaw::learn() {
   if (known_)
     misfit_ = surge_memory * misfit_ + surge_square((y - law_.value.dot(x)) / surge_noise_mps);
   fit_.add(y, x);
-  noise_told_ =
-      surge_memory * noise_told_ + surge_square(change_noise_mps2 / twice_speed / surge_noise_mps);
-  believe(fit_.solve());
+  noise_told_ = surge_memory * noise_told_ +
+                surge_square(change_of_noise / twice_speed / surge_noise_mps) * speed_noise_square_;
+  auto law = fit_.solve();
+  law.widen(1, way_sigma_m(law));
+  believe(law);
 }
 
 /// The speeds become what the new law would have made of the same turns.

@@ -41,8 +41,9 @@ class SurgeLaw {
   void move(const Filtered& drive, double dt);
   void begin_at(std::optional<double> ahead_mps);
   void believe(const Fit::Answer& law);
-  double way_sigma_m() const;
+  double way_sigma_m(const Fit::Answer& law) const;
 
+  void note_noise(double speed_mps);
   static void follow(Filtered& of, const Filtered& by, double share);
 
   Fit fit_;
@@ -52,6 +53,9 @@ class SurgeLaw {
   Fit::Vector moved_ = Fit::Vector::Zero();  ///< d(speed)/d(a, m, g, d)
   Fit::Answer law_;
   double misfit_ = 0, noise_told_ = 0;  ///< noise_told_: information on m, 1/m2
+  std::array<double, 7> recent_mps_{};  ///< the newest first, over the period of a slow log
+  std::size_t lately_ = 0;              ///< how many of them are without a gap
+  double speed_noise_square_ = 0, samples_ = 0;
   bool begun_ = false, known_ = false;
 };
 

@@ -9,7 +9,8 @@ constexpr double follow_s = 10;   // time constant of the offset, within the bou
 constexpr int first_memory = 15;  // samples: a sum may drift while its offset is learned
 constexpr double trend_s = 60;    // and of its trend
 constexpr std::chrono::seconds outage{3};
-constexpr double steady_for_sum_s = 5;  // at least
+constexpr double steady_for_s = 5;   // at least
+constexpr double small_rest = 0.25;  // of the largest deviation
 /// Sigmas by which a fault that goes on had moved its sum meanwhile: others err by some of them.
 constexpr double still_going = 10;
 // Fired samples; then the shape is told. Of two witnesses the named one soon counts no more, which
@@ -21,6 +22,11 @@ constexpr double wildest = 10;          // sigmas; more does not count as noise
 
 double square(double x) { return x * x; }
 
+/// While other errors are large, a deviation is theirs: it teaches little of the usual spread.
+double own_share(const Residual& residual, double usual) {
+  return square(usual) / (square(usual) + square(residual.sigma));
+}
+
 }  // namespace
 
 void Test::take(const Residual& residual, Stamp at) {
@@ -28,7 +34,7 @@ void Test::take(const Residual& residual, Stamp at) {
   if (at - last_ > outage && !fired_) cusum_.clear();
   const double dt = std::clamp(measurement::seconds(at - last_), 0.0, 1.0);
   last_ = at;
-  if (!learned()) return learn(residual.value);
+  if (!learned()) return learn(residual);
   deviation_ = residual.value - offset_;
   const double usual = spread();
   const double most = square(wildest * usual);
@@ -36,22 +42,24 @@ void Test::take(const Residual& residual, Stamp at) {
       (std::min(square(deviation_ - before) / 2, most) - noise_square_) / noise_samples;
   sigma_ = sigma_of(residual, usual);
   test(residual, at);
-  if (fired_) return end_sum(at);
-  mean_square_ += (std::min(square(deviation_), most / 4) - mean_square_) / spread_samples;
+  if (fired_) return end_fault(at);
+  mean_square_ += own_share(residual, usual) *
+                  (std::min(square(deviation_), most / 4) - mean_square_) / spread_samples;
   follow(dt);
 }
 
-void Test::learn(double value) {
+void Test::learn(const Residual& residual) {
   if (samples_ == 0) {
-    offset_ = value;
+    offset_ = residual.value;
     mean_square_ = noise_square_ = 0;
     cusum_.clear();
     fired_ = false;
     trend_ = 0;
   }
   ++samples_;
-  deviation_ = value - offset_;
-  mean_square_ += (square(deviation_) - mean_square_) / samples_;
+  deviation_ = residual.value - offset_;
+  mean_square_ +=
+      own_share(residual, facts_.floor) * (square(deviation_) - mean_square_) / samples_;
   offset_ += deviation_ / std::min(samples_, first_memory);
 }
 
@@ -62,18 +70,26 @@ void Test::follow(double dt) {
   offset_ += std::clamp(deviation_ * dt / follow_s, -most, most) + trend_ * dt;
 }
 
-/// The sum of a fault that is over stays where it is: it begins anew. It stayed for long enough
-/// when the fault, at the mean rate of its rise, would have moved it clearly.
-void Test::end_sum(Stamp at) {
-  if (facts_.sum_above > 0) return;
+/// A fault that is over leaves a residual that stays where it is: it begins anew.
+void Test::end_fault(Stamp at) {
   if (std::abs(deviation_ - steady_) > 2 * sigma_) {
     steady_ = deviation_;
     steady_since_ = at;
   }
   const double steady_s = measurement::seconds(at - steady_since_);
+  if (steady_s > steady_for_s && is_over(steady_s)) restart();
+}
+
+/// A sum stayed for long enough when the fault, at the mean rate of its rise, would have moved it
+/// clearly. One beside a sum is back but for what that moved
+/// meanwhile.
+bool Test::is_over(double steady_s) const {
   const double rise_s = std::max(1.0, measurement::seconds(steady_since_ - since_));
-  if (steady_s > steady_for_sum_s && std::abs(steady_) / rise_s * steady_s > still_going * sigma_)
-    restart();
+  const double left = std::abs(steady_);
+  if (facts_.sum_above <= 0) return left / rise_s * steady_s > still_going * sigma_;
+  if (facts_.others_wander <= 0) return false;
+  const double moved = (facts_.wander + facts_.others_wander) * (rise_s + steady_s);
+  return left < small_rest * std::abs(peak_) && left < moved + spread();
 }
 
 double Test::spread() const { return std::sqrt(std::max(square(facts_.floor), mean_square_)); }

@@ -13,8 +13,10 @@ namespace drydock::consistency {
 
 /// What is known of a residual beforehand.
 struct TestFacts {
-  double floor = 0;     ///< 1 sigma of model errors that no minute of learning shows
-  double wander = 0;    ///< per second: the offset of a healthy residual moves at most so fast
+  double floor = 0;   ///< 1 sigma of model errors that no minute of learning shows
+  double wander = 0;  ///< per second: the offset of a healthy residual moves at most so fast
+  /// The same of the sum that it is compared with, while it is accused; 0: of no sum.
+  double others_wander = 0;
   double trend = 0;     ///< per second: a healthy offset may grow steadily, at most so fast
   double late_s = 0.1;  ///< 1 sigma of the sensors' unknown latency
   /// A residual that grows faster than this (per second) is the sum of a constant error, not a slow
@@ -77,9 +79,10 @@ class Test {
   static constexpr int learning_samples = 50;
 
  private:
-  void learn(double value);
+  void learn(const Residual& residual);
   void follow(double dt);
-  void end_sum(Stamp at);
+  void end_fault(Stamp at);
+  bool is_over(double steady_s) const;
   bool is_blind(const Residual& residual) const;
   void test(const Residual& residual, Stamp at);
   double sigma_of(const Residual& residual, double spread) const;

@@ -73,6 +73,8 @@ Outcome Examination::result(const std::string& source, measurement::Stamp end, b
   if (!has_times) std::erase_if(outcome.findings, is_of_times);
   put_worst_first(outcome.findings);
   outcome.unseen = unseen_in(rig_, outcome.circumstances);
+  const auto hidden = hidden_from_start(rig_, outcome.circumstances);
+  outcome.unseen.insert(outcome.unseen.end(), hidden.begin(), hidden.end());
   return outcome;
 }
 

@@ -22,7 +22,19 @@ using measurement::Stamp;
 
 constexpr int looks_a_pause = 240;  ///< a trace may stand still for years
 constexpr unsigned usual_baud = 9600;
+/// A pause of all devices of a capture, in seconds and in messages that were due.
+constexpr double shortest_hole_s = 3, fewest_missing = 10;
 constexpr double usual_length_s = 600;  ///< spaces the curves of a file whose length is not known
+
+std::uint64_t skipped_by(const shell::DeviceActor& actor) {
+  return actor.device().on_bus() ? 0 : actor.device().vitals().stream.bytes_skipped;
+}
+
+std::string rest_note(const std::string& device, std::uint64_t bytes) {
+  return fmt::format(
+      "{}: the capture ends inside a message: its last bytes, {} of them, are no fault", device,
+      bytes);
+}
 
 /// The devices of a capture in virtual time. Members are in the order in which they need each
 /// other.
@@ -31,6 +43,7 @@ class CaptureBench final : public device::Listener, public device::Transmitter {
   CaptureBench(const rig_config::Rig& rig, std::vector<std::unique_ptr<device::Device>> devices,
                std::span<const shell::PlayedFile> files, Stamp start)
       : clock_(start), examination_(rig, start, usual_length_s) {
+    for (const auto& device : rig.devices) rate_hz_ += device.rate_hz;
     for (auto& device : devices) add(std::move(device), start);
     for (const auto& file : files) play(file, start);
     std::vector<const device::Device*> all;
@@ -41,12 +54,18 @@ class CaptureBench final : public device::Listener, public device::Transmitter {
   Outcome play(const std::string& source, bool has_times) {
     clock_.run_until(clock_.now());
     examination_.look(clock_.now());
+    std::vector<std::uint64_t> skipped(actors_.size());
     while (const auto due = next()) {
-      examination_.await(*due);
+      for (std::size_t i = 0; i < actors_.size(); ++i) skipped[i] = skipped_by(*actors_[i]);
+      if (!is_hole(*due)) examination_.await(*due);
       clock_.run_until(*due);
       examination_.look(clock_.now());
     }
-    return examination_.result(source, clock_.now(), false, has_times);
+    auto outcome = examination_.result(source, clock_.now(), false, has_times);
+    for (std::size_t i = 0; i < actors_.size(); ++i)
+      if (const auto rest = skipped_by(*actors_[i]) - skipped[i]; rest > 0)
+        outcome.notes.push_back(rest_note(actors_[i]->device().name(), rest));
+    return outcome;
   }
 
  private:
@@ -64,15 +83,27 @@ class CaptureBench final : public device::Listener, public device::Transmitter {
     clock_.add(*files_.back());
   }
 
-  /// The end of the next step: a look, or now while a file without times has more. Empty: all files
-  /// are at their end.
-  std::optional<Stamp> next() const {
+  std::optional<Stamp> next_message() const {
     std::optional<Stamp> first;
     for (const auto& file : files_)
       if (const auto due = file->deadline()) first = std::min(first.value_or(*due), *due);
+    return first;
+  }
+
+  /// Several devices do not fall silent together: nobody listened.
+  bool is_hole(Stamp due) const {
+    const double pause_s = measurement::seconds(due - clock_.now());
+    return actors_.size() > 1 && pause_s > shortest_hole_s && pause_s * rate_hz_ > fewest_missing;
+  }
+
+  /// The end of the next step: a look, or now while a file without times has more. Empty: all files
+  /// are at their end.
+  std::optional<Stamp> next() const {
+    const auto first = next_message();
     if (!first) return {};
     const Stamp now = clock_.now();
     if (*first <= now) return now;
+    if (is_hole(*first)) return first;
     return now + std::max<Stamp::duration>(diagnosis::look_period, (*first - now) / looks_a_pause);
   }
 
@@ -82,6 +113,7 @@ class CaptureBench final : public device::Listener, public device::Transmitter {
   void send(const wire::CanFrame&) override {}
 
   shell::Lockstep clock_;
+  double rate_hz_ = 0;  ///< of all devices
   host::Followers followers_;
   std::vector<std::unique_ptr<shell::DeviceActor>> actors_;
   std::vector<std::unique_ptr<shell::Actor>> files_;
@@ -93,6 +125,16 @@ bool has_axes(const rig_config::DeviceConfig& device) {
   using rig_config::DeviceKind;
   return device.kind == DeviceKind::imu || device.kind == DeviceKind::dvl ||
          device.kind == DeviceKind::emlog;
+}
+
+/// The rate of a device is what it gave in the capture itself.
+void leave_out_rates(Outcome& outcome) {
+  const auto cause = diagnosis::Cause::wrong_rate;
+  std::erase_if(outcome.findings, [&](const diagnosis::FindingAccount& finding) {
+    return finding.cause == diagnosis::facts_of(cause).name;
+  });
+  Unseen& unseen = outcome.unseen.emplace_back(Unseen{{}, {cause}, "no rig file states a rate"});
+  for (const auto& device : outcome.devices) unseen.devices.push_back(device.name);
 }
 
 shell::Pace pace_of(const shell::PlayedFile& file) { return file.clock.pace; }
@@ -124,6 +166,7 @@ Outcome read_capture(const std::string& path, unsigned baud) {
       outcome.notes.push_back(fmt::format("{}: its driver left out {} value{}; it says: {}",
                                           device.name, device.refused,
                                           device.refused == 1 ? "" : "s", device.last_error));
+  if (has_times) leave_out_rates(outcome);
   if (std::ranges::count_if(rig.devices, has_axes) > 1)
     outcome.notes.emplace_back(
         "a capture tells no mountings: what one sensor says against another holds where their axes "

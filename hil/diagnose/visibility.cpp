@@ -116,6 +116,14 @@ std::string why_not_learned(Cause cause, double duration_s) {
   return fmt::format("the first {:.0f} s of {:.0f} s teach what is usual", learns_s, duration_s);
 }
 
+/// A difference from other sensors that is there in this time is taken off as their usual one.
+constexpr double offset_learned_s = 25;
+
+/// How long a fault that is there from the start is taken for usual, seconds; 0: it is not.
+double taken_for_usual_s(Cause cause) {
+  return cause == Cause::bias ? offset_learned_s : learning_s(cause);
+}
+
 /// Why nobody could have seen it; empty: it would have been seen.
 std::string why_not(Cause cause, const DeviceConfig& device, const wire::Protocol& protocol,
                     const rig_config::Rig& rig, const Circumstances& with) {
@@ -159,6 +167,24 @@ std::vector<Unseen> joined(const std::vector<Unseen>& all) {
   return shared;
 }
 
+/// `reason(cause, why)`: of a cause that each device can have; `why` it was not seen, or empty.
+template <class Reason>
+std::vector<Unseen> all_of(const rig_config::Rig& rig, const Circumstances& with,
+                           const Reason& reason) {
+  std::vector<Unseen> all;
+  for (const DeviceConfig& device : rig.devices) {
+    const wire::Protocol* const known = rig_config::protocol_of(device);
+    const wire::Protocol protocol = known != nullptr ? *known : wire::Protocol{};
+    for (const auto& facts : diagnosis::causes()) {
+      if (!applies(facts.cause, device, protocol)) continue;
+      const std::string why =
+          reason(facts.cause, why_not(facts.cause, device, protocol, rig, with));
+      if (!why.empty()) note(all, device.name, facts.cause, why);
+    }
+  }
+  return all;
+}
+
 diagnosis::Symptom symptom_of(diagnosis::Sign sign) {
   diagnosis::Symptom symptom;
   symptom.sign = sign;
@@ -195,17 +221,15 @@ bool is_concluded(Cause cause) {
 }
 
 std::vector<Unseen> unseen_in(const rig_config::Rig& rig, const Circumstances& with) {
-  std::vector<Unseen> all;
-  for (const DeviceConfig& device : rig.devices) {
-    const wire::Protocol* const known = rig_config::protocol_of(device);
-    const wire::Protocol protocol = known != nullptr ? *known : wire::Protocol{};
-    for (const auto& facts : diagnosis::causes()) {
-      if (!applies(facts.cause, device, protocol)) continue;
-      const std::string why = why_not(facts.cause, device, protocol, rig, with);
-      if (!why.empty()) note(all, device.name, facts.cause, why);
-    }
-  }
-  return joined(all);
+  return joined(all_of(rig, with, [](Cause, const std::string& why) { return why; }));
+}
+
+std::vector<Unseen> hidden_from_start(const rig_config::Rig& rig, const Circumstances& with) {
+  return joined(all_of(rig, with, [](Cause cause, const std::string& why) {
+    const double usual_s = taken_for_usual_s(cause);
+    if (!why.empty() || usual_s <= 0) return std::string();
+    return fmt::format("what is wrong in the first {:.0f} s looks usual", usual_s);
+  }));
 }
 
 }  // namespace drydock::diagnose

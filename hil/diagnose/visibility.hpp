@@ -26,6 +26,9 @@ struct Unseen {
 /// Everything that could be wrong with the rig's devices and would not have been seen.
 std::vector<Unseen> unseen_in(const rig_config::Rig& rig, const Circumstances& with);
 
+/// Everything that would have been seen, but not where it was there from the start.
+std::vector<Unseen> hidden_from_start(const rig_config::Rig& rig, const Circumstances& with);
+
 /// True if only times of arrival can show it.
 bool needs_times(diagnosis::Cause cause);
 

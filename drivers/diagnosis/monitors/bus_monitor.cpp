@@ -25,6 +25,11 @@ constexpr std::chrono::milliseconds soon{3};
 /// A bus without a pause for so long holds frames up.
 constexpr std::chrono::milliseconds long_busy{3};
 
+/// A bus with several nodes that carries nothing for so long, and for so many usual pauses, was not
+/// heard: none of its nodes is to blame.
+constexpr double shortest_deafness_s = 0.5, deafness_pauses = 20;
+constexpr double pause_memory = 64;  // frames
+
 std::uint32_t key_of(const wire::CanFrame& frame) {
   constexpr std::uint32_t extended_bit = 0x80000000;
   return frame.extended ? frame.id | extended_bit : frame.id;
@@ -67,10 +72,24 @@ void BusMonitor::take(const wire::CanFrame& frame, Stamp at) {
     window_from_ = at;
   }
   if (frame.error) return take_error(frame, at);
+  note_deafness(at);
   note_busy(frame, at);
   off_ = false;
   take_claim(frame, at);
   judge_identifier(frame, at);
+}
+
+/// What its nodes would have said meanwhile is not missing. What is usual is learned from time that
+/// was heard.
+void BusMonitor::note_deafness(Stamp at) {
+  if (last_ == Stamp{}) return;
+  const double pause_s = measurement::seconds(at - last_);
+  const bool long_pause = pause_s > std::max(shortest_deafness_s, deafness_pauses * usual_pause_s_);
+  usual_pause_s_ += (std::min(pause_s, shortest_deafness_s) - usual_pause_s_) / pause_memory;
+  if (!long_pause) return;
+  if (last_ - *first_ < learning) *first_ += at - last_;
+  if (nodes_.size() > 1)
+    for (Node& node : nodes_) node.frames.excuse_pause();
 }
 
 void BusMonitor::note_busy(const wire::CanFrame& frame, Stamp at) {
@@ -154,10 +173,11 @@ bool BusMonitor::is_usual(const wire::CanFrame& frame, Stamp at) {
     watch_times(*usual, frame, at);
     return true;
   }
-  if (at - *first_ < learning && usual_.size() < usual_.capacity()) {
-    usual_.push_back({key_of(frame), size_bit(frame), 0, 0});
-    return true;
+  if (at - *first_ < learning) {
+    too_many_ = usual_.size() == usual_.capacity();
+    if (!too_many_) usual_.push_back({key_of(frame), size_bit(frame), 0, 0});
   }
+  if (too_many_ || at - *first_ < learning) return true;
   return std::ranges::any_of(
       nodes_, [&](const Node& node) { return manages(frame, node.expected.protocol.network); });
 }

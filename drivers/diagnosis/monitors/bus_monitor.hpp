@@ -49,6 +49,7 @@ class BusMonitor {
     std::size_t next = 0;     ///< index of the one that came behind it last time
   };
 
+  void note_deafness(Stamp at);
   void note_busy(const wire::CanFrame& frame, Stamp at);
   void take_error(const wire::CanFrame& frame, Stamp at);
   void take_claim(const wire::CanFrame& frame, Stamp at);
@@ -72,6 +73,7 @@ class BusMonitor {
   unsigned bitrate_ = 250'000;
   std::optional<Stamp> first_;
   boost::container::static_vector<Usual, 128> usual_;
+  bool too_many_ = false;   ///< usual identifiers than can be kept: none is known to be new
   std::size_t latest_ = 0;  ///< index of the latest usual one
   boost::container::static_vector<Claim, 32> claims_;
   std::array<std::uint32_t, 64> recent_{};  ///< the last ones that are not usual, a ring
@@ -81,6 +83,7 @@ class BusMonitor {
   Stamp window_from_{};
   double new_bits_ = 0;          ///< of unusual identifiers since window_from_
   Stamp last_{}, busy_since_{};  ///< the latest frame; since when there was no pause
+  double usual_pause_s_ = 0;     ///< between frames
   bool behind_strange_ = false;
   Stamp strange_at_{}, strange_since_{};
   unsigned strange_ = 0, strange_told_ = 0;  ///< strange frames of the present bout

@@ -123,10 +123,7 @@ void LineMonitor::look_at_counters(const Vitals& vitals, Stamp now) {
   if (damaged > 0) damaged_at_ = now;
   if (damaged > 0) teller_.tell(Sign::bad_checksums, now, now, {damaged, 0, "damaged frames", ""});
   const double skipped = grown(vitals.stream.bytes_skipped, was.bytes_skipped);
-  // Before its first frame a device may say its name, or the end of a frame may come.
-  const bool in_stream = last_.state == State::streaming;
-  if (skipped > 0 && damaged == 0 && bytes && in_stream)
-    teller_.tell(Sign::foreign_bytes, now, now, {skipped, 0, "bytes outside of frames", "B"});
+  if (bytes) look_at_skipped(skipped, damaged > 0, vitals, now);
   const auto excess = frames_.add(vitals.stream.frames, now);
   if (excess && bytes)
     teller_.tell(Sign::repeated, now - std::chrono::seconds{FrameCount::window}, now,
@@ -136,6 +133,23 @@ void LineMonitor::look_at_counters(const Vitals& vitals, Stamp now) {
   const double impossible = grown(vitals.impossible, last_.impossible);
   if (impossible > 0)
     teller_.tell(Sign::impossible, now, now, {impossible, 0, "impossible values", ""});
+}
+
+/// Bytes are foreign only between frames: the last ones of a recording, or before a silence, may
+/// begin a frame that was cut off.
+void LineMonitor::look_at_skipped(double bytes, bool damaged, const Vitals& vitals, Stamp now) {
+  if (foreign_ > 0 && vitals.stream.frames != last_.stream.frames) {
+    teller_.tell(Sign::foreign_bytes, foreign_at_, now,
+                 {foreign_, 0, "bytes outside of frames", "B"});
+    foreign_ = 0;
+  }
+  // Before its first frame a device may say its name, or the end of a frame may come.
+  if (damaged || last_.state != State::streaming) {
+    foreign_ = 0;
+  } else if (bytes > 0) {
+    if (foreign_ == 0) foreign_at_ = now;
+    foreign_ += bytes;
+  }
 }
 
 void LineMonitor::look_at_reports(const Vitals& vitals, Stamp now) {

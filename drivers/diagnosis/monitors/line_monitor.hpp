@@ -27,6 +27,7 @@ class LineMonitor {
   bool is_silent(const device::Vitals& vitals, Stamp now) const;
   void look_at_bytes(const device::Vitals& vitals, Stamp now);
   void look_at_counters(const device::Vitals& vitals, Stamp now);
+  void look_at_skipped(double bytes, bool damaged, const device::Vitals& vitals, Stamp now);
   void look_at_reports(const device::Vitals& vitals, Stamp now);
   void look_at_rate(const device::Vitals& vitals, Stamp now);
   void look_at_share_of_line(const device::Vitals& vitals, Stamp now);
@@ -39,6 +40,8 @@ class LineMonitor {
   Stamp bytes_at_{};    ///< when bytes last came
   std::uint64_t bytes_then_ = 0, not_text_then_ = 0, damaged_then_ = 0;
   FrameCount frames_;
+  double foreign_ = 0;  ///< bytes outside of frames, behind which no frame has come yet
+  Stamp foreign_at_{};
   Stamp hot_since_{}, hot_until_{};
   Stamp refused_since_{}, refused_until_{};
   Stamp error_since_{}, error_until_{};

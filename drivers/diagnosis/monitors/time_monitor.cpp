@@ -305,6 +305,14 @@ void TimeMonitor::interrupt() {
   }
 }
 
+void TimeMonitor::excuse_pause() {
+  for (Stream& stream : streams_) {
+    if (!stream.raster.known()) continue;
+    stream.raster.interrupt();
+    interrupt(stream);
+  }
+}
+
 void TimeMonitor::interrupt(Stream& stream) {
   stream.pattern.clear();
   stream.rate.interrupt();

@@ -35,6 +35,8 @@ class TimeMonitor {
   Stamp drift_since() const { return drifting_.since; }
   /// The whole host stood still, or the device was away: the next intervals mean nothing.
   void interrupt();
+  /// The same for a pause that others had as well. A raster that is not known yet learns it.
+  void excuse_pause();
 
  private:
   struct Stream {

@@ -15,6 +15,8 @@ constexpr std::chrono::seconds presence_learning{45};
 constexpr std::chrono::seconds back_after_dive{10};
 /// A step is told for so long if it does not go back.
 constexpr std::chrono::seconds step_lasts{60};
+/// A jump that ends a fault of the values is their return.
+constexpr std::chrono::seconds returns{2};
 /// Wild samples farther apart have nothing to do with each other.
 constexpr std::chrono::seconds wild_memory{20};
 /// The largest of equal errors is at most so many times the smallest.
@@ -69,6 +71,7 @@ void ValueMonitor::judge(const Reading& reading, Stamp at) {
   else if (news.pulse != 0 && pulses_.fired())
     tell_wild(*monitor, news.pulse, at);
   if (news.jump != 0) tell_jump(*monitor, news, at);
+  if (news.noisy) returns_until_ = at + returns;
   if (news.noisy)
     teller_.tell(Sign::noisy, monitor->noise().since(), at,
                  {monitor->noise().sum(), QuantityMonitor::noise_threshold,
@@ -97,6 +100,7 @@ void ValueMonitor::tell_jump(const QuantityMonitor& monitor, const QuantityMonit
   const bool back =
       jumped_.since && jumped_.quantity == monitor.quantity() && jumped_.by * news.jump < 0;
   if (back) return jumped_.since.reset();
+  if (at < returns_until_) return;
   jumped_ = {at, monitor.quantity(), news.jump, news.most};
 }
 
@@ -114,6 +118,7 @@ bool ValueMonitor::judge_run(Run& run, const Readings& readings, Stamp at) {
   if (sameness.run() == 1) run.elsewhere = jumped(sameness.before_run(), readings);
   const auto impossible = sameness.impossible_run();
   if (!impossible || sameness.run() < *impossible || !noise_shows(readings)) return same;
+  returns_until_ = at + returns;
   const Amount amount{static_cast<double>(sameness.run()), static_cast<double>(*impossible),
                       "equal messages in a row", ""};
   teller_.tell(run.elsewhere ? Sign::out_of_range : Sign::stuck, sameness.run_since(), at, amount);

@@ -56,6 +56,7 @@ class ValueMonitor {
   std::optional<measurement::Geodetic> home_;
   EventTest pulses_{1e-4, 0.05, 18};
   boost::container::static_vector<Reading, 6> wild_;  ///< the last ones, how far off
+  Stamp returns_until_{};                             ///< a jump is the end of another fault
   Stamp wild_at_{};
   struct Jumped {
     std::optional<Stamp> since;

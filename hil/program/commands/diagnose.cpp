@@ -11,6 +11,7 @@
 #include "hil/diagnose/sources.hpp"
 #include "hil/program/capture_arguments.hpp"
 #include "hil/program/commands.hpp"
+#include "hil/program/link_argument.hpp"
 #include "hil/program/load_rig.hpp"
 #include "hil/program/options.hpp"
 #include "hil/replay/replay_rig.hpp"
@@ -21,7 +22,7 @@ namespace {
 
 struct DiagnoseArguments {
   std::string source;
-  double duration_s = 30;
+  double duration_s = 120;
   unsigned baud = 0;
   diagnose::DiagnoseOptions options;
 };
@@ -40,8 +41,10 @@ diagnose::Outcome examine(const DiagnoseArguments& a) {
   const bool is_path = a.source.find('/') != std::string::npos || a.source.ends_with(".mcap") ||
                        std::filesystem::is_directory(a.source);
   if (is_path && a.source.find(':') == std::string::npos) must_be_readable(a.source);
-  if (!std::filesystem::is_regular_file(a.source))
+  if (!std::filesystem::is_regular_file(a.source)) {
+    must_name_link("diagnose", a.source);
     return diagnose::listen_to_link(a.source, a.duration_s);
+  }
   return replay::is_recording(a.source) ? diagnose::read_recording(a.source)
                                         : diagnose::read_capture(a.source, a.baud);
 }
@@ -63,7 +66,7 @@ void add_diagnose(CLI::App& app, Command& command) {
                   "rig file (TOML), recording (MCAP), capture of one link, or link URI")
       ->required();
   sub->add_option("--for", a->duration_s,
-                  "how long it listens to a rig or link: 30s, 10min; default 30s")
+                  "how long it listens to a rig or link: 30s, 10min; default 2min")
       ->transform(running_time);
   sub->add_option("--baud", a->baud, "of the recorded line, for a capture of bytes; default 9600");
   sub->add_option("--report", a->options.report,

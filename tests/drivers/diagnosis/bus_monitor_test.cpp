@@ -67,6 +67,55 @@ TEST_F(BusThatIsWatched, IsTakenByAnIdentifierThatWasNotThere) {
   EXPECT_FALSE(signs.has(Sign::strange_frames));
 }
 
+// Nodes do not fall silent together: a recorder did not listen, and its clock may have been set.
+TEST_F(BusThatIsWatched, BlamesNoNodeForAPauseOfAll) {
+  for (const double pause_s : {1.37, 4.04, 1.2e6, 1.37}) {
+    now += pause_s;
+    for (int i = 0; i < 300; ++i) tenth();
+  }
+  EXPECT_TRUE(signs.all.empty());
+}
+
+TEST_F(BusThatIsWatched, BlamesANodeThatComesLateWhileTheOtherGoesOn) {
+  for (int i = 0; i < 14; ++i) {
+    now += 0.1;
+    take(frame_of(id(127'245, 36), true), 0.001);
+    monitor.look(at_s(now + 0.002));
+  }
+  now += 0.037;
+  for (int i = 0; i < 100; ++i) tenth();
+  EXPECT_TRUE(signs.has(Sign::late, depth));
+}
+
+// 128 identifiers can be kept.
+TEST(BusWithManyIdentifiers, HasNoneOfWhichItIsKnownThatItIsNew) {
+  Signs signs;
+  BusMonitor monitor{{BusThatIsWatched::node(depth, 35), BusThatIsWatched::node(rudder, 36)},
+                     signs};
+  for (int i = 0; i < 50'000; ++i) {
+    const auto source = static_cast<std::uint8_t>(i % 200);
+    monitor.take(frame_of(BusThatIsWatched::id(127'257, source), true), at_s(0.002 * i));
+    if (i % 125 == 0) monitor.look(at_s(0.002 * i));
+  }
+  EXPECT_FALSE(signs.has(Sign::strange_frames));
+  EXPECT_FALSE(signs.has(Sign::bus_taken));
+}
+
+// What is usual is learned for 30 s of what was heard: a second, a long hole, and the rest.
+TEST(BusWithAHole, LearnsItsIdentifiersBehindIt) {
+  Signs signs;
+  BusMonitor monitor{{BusThatIsWatched::node(depth, 35), BusThatIsWatched::node(rudder, 36)},
+                     signs};
+  const auto take = [&](double at, std::uint32_t pgn, std::uint8_t source) {
+    monitor.take(frame_of(BusThatIsWatched::id(pgn, source), true), at_s(at));
+    monitor.look(at_s(at));
+  };
+  for (int i = 0; i < 10; ++i) take(0.1 * i, 127'257, 35);
+  for (int i = 0; i < 1000; ++i) take(1e6 + 0.05 * i, i % 3 == 0 ? 127'257 : 127'245, 36);
+  EXPECT_FALSE(signs.has(Sign::strange_frames));
+  EXPECT_FALSE(signs.has(Sign::bus_taken));
+}
+
 TEST_F(BusThatIsWatched, TakesANodeThatJoinsForNoFault) {
   for (int i = 0; i < 600; ++i) {
     take(frame_of(id(130'306, 50), true), 0.01);

@@ -138,8 +138,17 @@ TEST_F(LineThatIsWatched, HasDamagedFramesAndNoForeignBytesWithThem) {
 TEST_F(LineThatIsWatched, HasForeignBytesWithoutDamage) {
   health.stream.bytes_skipped += 16;
   look(3);
+  look(3);
   EXPECT_TRUE(signs.has(Sign::foreign_bytes));
   EXPECT_FALSE(signs.has(Sign::bad_checksums));
+}
+
+// What begins and does not end, as in a capture that was cut, stands between no frames.
+TEST_F(LineThatIsWatched, HasNoForeignBytesBehindItsLastFrame) {
+  health.stream.bytes_skipped += 16;
+  look(3);
+  for (int i = 0; i < 20; ++i) look(0);
+  EXPECT_FALSE(signs.has(Sign::foreign_bytes));
 }
 
 TEST_F(LineThatIsWatched, DecodesNothingAfterASecondOfBytes) {

@@ -50,9 +50,23 @@ TEST(Helm, SaysWhichRudderTheHullNeedsWhileItStillBeginsToTurn) {
   EXPECT_NEAR(hull.helm.answer()->needed_rad, 10 * degree, 0.5 * degree);
 }
 
+// A hull that drifts remembers its turn for some lengths: at least 0.15 of the rudder, less by a
+// factor e each 25 m.
+TEST(Helm, IsLessSureBehindATurnForSomeLengths) {
+  Hull hull;
+  for (const double side : {1.0, -1.0, 1.0}) hull.steer(side * 10 * degree, 20, true);
+  hull.steer(0, 10, false);  // 18 m
+  ASSERT_TRUE(hull.helm.answer());
+  EXPECT_NEAR(hull.helm.answer()->needed_rad, 0, 0.5 * degree);
+  EXPECT_GT(hull.helm.answer()->sigma_rad, 0.15 * 10 * degree * std::exp(-18.0 / 25));
+  hull.steer(0, 60, false);
+  EXPECT_LT(hull.helm.answer()->sigma_rad, 0.2 * degree);
+}
+
 TEST(Helm, TellsARudderThatIsSaidWithTheWrongZeroFromATurn) {
   Hull hull;
   for (const double side : {1.0, -1.0, 1.0, -1.0, 0.0}) hull.steer(side * 10 * degree, 20, true);
+  hull.steer(0, 30, true);  // the turns are behind it
   for (int i = 0; i < 10; ++i) hull.helm.take(5 * degree, 0, 1.8, dt);
   ASSERT_TRUE(hull.helm.answer());
   EXPECT_NEAR(hull.helm.answer()->rudder_rad - hull.helm.answer()->needed_rad, 5 * degree,

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <random>
 
 namespace drydock::consistency {
 namespace surge_test {
@@ -19,13 +21,14 @@ class Hull {
       const double part = end * i * dt / 100;
       speed_mps = from < end ? end * std::tanh(part + std::atanh(from / end))
                              : end / std::tanh(part + std::atanh(end / from));
-      surge.take({.shaft_radps = shaft_radps + said_radps, .speed_mps = speed_mps}, dt);
+      surge.take({.shaft_radps = shaft_radps + said_radps, .speed_mps = speed_mps + noise()}, dt);
       if (learn) surge.learn();
     }
   }
 
   Surge surge;
   double speed_mps = 1.6;
+  std::function<double()> noise = [] { return 0.0; };
 };
 
 TEST(Surge, FollowsAHullThatGainsItsSpeedOverAMinute) {
@@ -49,6 +52,20 @@ TEST(Surge, IsAsUnsureAsTheHullMayBeSlowWhileItHasNotChangedItsSpeed) {
   ASSERT_TRUE(hull.surge.answer());
   const auto answer = *hull.surge.answer();
   EXPECT_GT(answer.sigma_mps, std::abs(answer.speed_mps - hull.speed_mps) / 2);
+}
+
+// dw/dt of a steady hull is noise. By least squares noise alone tells a small m.
+TEST(Surge, IsUnsureInTheFirstChangeOfASpeedThatWasSaidWithNoise) {
+  Hull hull;
+  std::mt19937 random(7);
+  hull.noise = [&] { return std::normal_distribution(0.0, 0.03)(random); };
+  hull.speed_mps = 0.012 * 100 - 1e-6;
+  hull.drive(100, 300);
+  for (int i = 0; i < 8; ++i) {
+    hull.drive(70, 5, false);
+    const auto answer = *hull.surge.answer();
+    EXPECT_GT(answer.sigma_mps, std::abs(answer.speed_mps - hull.speed_mps) / 1.2) << 5 * i;
+  }
 }
 
 TEST(Surge, KnowsATurnOfTheShaftThatTheHullDoesNotFollow) {

@@ -40,5 +40,14 @@ TEST(Test, ThatHoldsEndsItsAlarmWhenTheResidualIsBackThoughItKnowsLittle) {
   EXPECT_FALSE(residuals.test.fired());
 }
 
+// The usual spread is that of the time in which nothing else was known to be wrong.
+TEST(Test, LearnsNoSpreadFromADeviationThatIsKnownToBeAnotherError) {
+  Residuals residuals(false);
+  residuals.go(20, 0, 0);
+  residuals.go(5, 0.4, 1);
+  residuals.go(1, 0, 0);
+  EXPECT_NEAR(residuals.test.spread(), 0.1, 0.01) << "the floor";
+}
+
 }  // namespace
 }  // namespace drydock::consistency

@@ -114,6 +114,25 @@ TEST(Visibility, AMountingIsSeenWhereTheHeadItselfTellsADepthThatChanges) {
   EXPECT_THAT(why(rig, "dvl", Cause::scale, with), Not(IsEmpty()));
 }
 
+std::string hidden(const rig_config::Rig& rig, const std::string& device, Cause cause) {
+  for (const Unseen& one : hidden_from_start(rig, minute))
+    if (std::ranges::find(one.devices, device) != one.devices.end() &&
+        std::ranges::find(one.causes, cause) != one.causes.end())
+      return one.why;
+  return {};
+}
+
+/// docs/pier/findings.md: monitors learn for 30 s (times) and 45 s (values), the checks for 25 s.
+TEST(Visibility, WhatAFaultFromTheStartHidesIsNamedHoweverLongTheRunIs) {
+  using measurement::Kind;
+  const auto rig = rig_of({{Kind::dvl, "pd0"}, {Kind::emlog, "nmea0183"}});
+  EXPECT_EQ(hidden(rig, "dvl", Cause::drop), "what is wrong in the first 30 s looks usual");
+  EXPECT_EQ(hidden(rig, "dvl", Cause::noise), "what is wrong in the first 45 s looks usual");
+  EXPECT_EQ(hidden(rig, "dvl", Cause::bias), "what is wrong in the first 25 s looks usual");
+  EXPECT_THAT(hidden(rig, "dvl", Cause::damaged), IsEmpty()) << "a checksum needs no learning";
+  EXPECT_THAT(hidden(rig, "emlog", Cause::clock_step), IsEmpty()) << "it is unseen at any time";
+}
+
 /// docs/pier/findings.md: monitors learn for 30 s (times) and 45 s (values). 46 s leave a second.
 TEST(Visibility, WhatMonitorsWereStillLearningIsNamed) {
   const auto rig = rig_of({{measurement::Kind::dvl, "pd0"}});
