@@ -126,7 +126,7 @@ void receive(Decoder& decoder, const capture::Record& record, wire::Network netw
           wire::receive_at(decoder, record.frame, record.time.value_or(std::chrono::nanoseconds{})))
     sink.message(*message, record);
   else if (decoder.counters() == before)
-    sink.passed_over(wire::frame_name(record.frame, network));
+    sink.passed_over(wire::frame_name_of<Decoder>(record.frame, network));
 }
 
 /// Decodes a CAN capture to its end. `make` gives a decoder for each bus: it assembles its own.

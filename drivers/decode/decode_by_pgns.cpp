@@ -1,5 +1,7 @@
 #include "drivers/decode/decode_by_pgns.hpp"
 
+#include <fmt/ranges.h>
+
 #include <map>
 
 #include "drivers/decode/pgn_table_file.hpp"
@@ -17,7 +19,7 @@ namespace pgn_table = wire::pgn_table;
 class PgnMessages {
  public:
   PgnMessages(const pgn_table::Table& table, bool count, std::FILE* out)
-      : catalogue_(table), count_(count), lines_(out) {}
+      : catalogue_(table), missing_(table.missing_lookups), count_(count), lines_(out) {}
 
   void receive(const capture::Record& record) {
     ++frames_;
@@ -49,6 +51,9 @@ class PgnMessages {
     if (capture.format() != nullptr) fmt::print(err, "{}: ", capture.format()->name);
     fmt::print(err, "{} frames, {} messages, {} of them cut short, {} incomplete\n", frames_,
                messages_, cut_short_, incomplete);
+    if (!missing_.empty())
+      fmt::print(err, "numbers without a label, as the table does not have their lookups: {}\n",
+                 fmt::join(missing_, ", "));
     if (!passed_over_.empty()) fmt::print(err, "passed over:\n");
     for (const auto& [name, count] : passed_over_) fmt::print(err, "{:>8}  {}\n", count, name);
   }
@@ -78,6 +83,7 @@ class PgnMessages {
   }
 
   pgn_table::Catalogue catalogue_;
+  std::vector<std::string> missing_;  ///< lookups
   bool count_;
   text::JsonLines lines_;
   std::map<std::string, pgn_table::Receiver, std::less<>> buses_;  ///< by interface

@@ -78,23 +78,38 @@ void read_step(const JsonPlace& place, Field& field) {
   if (field.step < 1 && std::abs(per_unit * field.step - 1) < 1e-9) field.steps_per_unit = per_unit;
 }
 
-std::size_t find_lookup(const JsonPlace& place, const std::map<std::string, std::size_t>& known) {
+/// A subset of a file may leave lookups out: their values remain numbers.
+std::size_t find_lookup(const JsonPlace& place, const std::map<std::string, std::size_t>& known,
+                        PgnLookupIndex& lookups, Field& field) {
   const auto found = known.find(place.text(longest_name));
-  if (found == known.end()) place.refuse("no such lookup in the file");
-  return found->second;
+  if (found != known.end()) return found->second;
+  lookups.missing.insert(place.text(longest_name));
+  field.kind = FieldKind::number;
+  return wire::pgn_table::none;
 }
 
-void read_lookup(const JsonPlace& place, const PgnLookupIndex& lookups, Field& field) {
+void read_lookup(const JsonPlace& place, PgnLookupIndex& lookups, Field& field) {
   using enum FieldKind;
-  if (field.kind == lookup)
-    field.lookup = find_lookup(place.at("LookupEnumeration"), lookups.plain);
-  if (field.kind == bit_lookup)
-    field.lookup = find_lookup(place.at("LookupBitEnumeration"), lookups.bits);
-  if (field.kind == key)
-    field.lookup = find_lookup(place.at("LookupFieldTypeEnumeration"), lookups.keyed);
-  if (field.kind != indirect_lookup) return;
-  field.lookup = find_lookup(place.at("LookupIndirectEnumeration"), lookups.indirect);
-  field.other = place.at("LookupIndirectEnumerationFieldOrder").whole(1, 256);
+  const auto find = [&](const char* key, const std::map<std::string, std::size_t>& known) {
+    return find_lookup(place.at(key), known, lookups, field);
+  };
+  switch (field.kind) {
+    case lookup: field.lookup = find("LookupEnumeration", lookups.plain); break;
+    case bit_lookup: field.lookup = find("LookupBitEnumeration", lookups.bits); break;
+    case key: {
+      const JsonPlace name = place.at("LookupFieldTypeEnumeration");
+      const auto found = lookups.keyed.find(name.text(longest_name));
+      if (found == lookups.keyed.end()) name.refuse("no such lookup in the file");
+      field.lookup = found->second;
+      break;
+    }
+    case indirect_lookup:
+      field.lookup = find("LookupIndirectEnumeration", lookups.indirect);
+      if (field.kind == indirect_lookup)
+        field.other = place.at("LookupIndirectEnumerationFieldOrder").whole(1, 256);
+      break;
+    default: break;
+  }
 }
 
 /// Fields of 8 bits and more keep three numbers for what is no value, of 4 bits two, of 2 bits one.
@@ -155,7 +170,7 @@ std::string read_pgn_id(const JsonPlace& place) {
   return id;
 }
 
-Field read_pgn_field(const JsonPlace& place, const PgnLookupIndex& lookups) {
+Field read_pgn_field(const JsonPlace& place, PgnLookupIndex& lookups) {
   Field field;
   set_keys(read_pgn_id(place.at("Id")), field);
   field.kind = read_kind(place.at("FieldType"));
@@ -175,7 +190,7 @@ Field read_pgn_field(const JsonPlace& place, const PgnLookupIndex& lookups) {
   return field;
 }
 
-Field read_keyed_field(const JsonPlace& place, const PgnLookupIndex& lookups) {
+Field read_keyed_field(const JsonPlace& place, PgnLookupIndex& lookups) {
   Field field;
   field.kind = read_kind(place.at("FieldType"));
   field.other = 0;

@@ -122,7 +122,7 @@ void set_others(const JsonPlace& place, Definition& definition) {
   }
 }
 
-Definition read_definition(const JsonPlace& place, const PgnLookupIndex& lookups) {
+Definition read_definition(const JsonPlace& place, PgnLookupIndex& lookups) {
   Definition definition;
   definition.pgn = static_cast<std::uint32_t>(place.at("PGN").whole(0, highest_pgn));
   definition.id = read_pgn_id(place.at("Id"));
@@ -150,7 +150,7 @@ void check_travel(const JsonPlace& place, const Definition& definition,
     place.refuse("this PGN has another Type above, so its frames could be read in two ways");
 }
 
-void read_definitions(const JsonPlace& file, const PgnLookupIndex& lookups, Table& table) {
+void read_definitions(const JsonPlace& file, PgnLookupIndex& lookups, Table& table) {
   std::map<std::uint32_t, Travel> travels;
   file.at("PGNs").each(most_definitions, [&](const JsonPlace& place) {
     const auto fallback = place.find("Fallback");
@@ -176,7 +176,9 @@ boost::system::result<Table, PgnTableProblem> read_pgn_table(std::string_view te
     const auto document = nlohmann::json::parse(text);
     Table table;
     const JsonPlace file(document, "");
-    read_definitions(file, read_lookups(file, table), table);
+    PgnLookupIndex lookups = read_lookups(file, table);
+    read_definitions(file, lookups, table);
+    table.missing_lookups.assign(lookups.missing.begin(), lookups.missing.end());
     return table;
   } catch (const nlohmann::json::parse_error& error) {
     return PgnTableProblem{std::string("not JSON: ") + error.what()};

@@ -297,7 +297,10 @@ int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err) {
     return refuse_replay(err, error.what(), terminal::exit_usage);
   }
   try {
-    return play_aloud(options, out, options.quiet ? nullptr : err);
+    const int code = play_aloud(options, out, options.quiet ? nullptr : err);
+    if (options.quiet && code == terminal::exit_failed)  // a failure is never silent
+      fmt::print(err, "replay: {}: no measurement\n", options.capture);
+    return code;
   } catch (const std::exception& error) {
     return refuse_replay(err, error.what(), terminal::exit_failed);
   }

@@ -11,17 +11,22 @@
 namespace drydock::guess {
 namespace {
 
-/// A few damaged bytes make no binary protocol of it, nor do degree signs: a binary protocol has
-/// control characters too.
-bool is_text(wire::Bytes capture) {
-  std::size_t plain = 0, control = 0;
-  for (const std::uint8_t c : capture) {
-    const bool is_plain = (c >= 0x20 && c <= 0x7E) || c == '\t' || c == '\r' || c == '\n';
-    plain += is_plain ? 1 : 0;
-    control += !is_plain && c < 0x80 ? 1 : 0;
+struct Characters {
+  std::size_t all = 0, plain = 0, control = 0;
+
+  explicit Characters(wire::Bytes capture) : all(capture.size()) {
+    for (const std::uint8_t c : capture) {
+      const bool is_plain = (c >= 0x20 && c <= 0x7E) || c == '\t' || c == '\r' || c == '\n';
+      plain += is_plain ? 1 : 0;
+      control += !is_plain && c < 0x80 ? 1 : 0;
+    }
   }
-  return control * 100 <= capture.size() && plain * 4 >= capture.size() * 3;
-}
+  /// A few damaged bytes make no binary protocol of it, nor do degree signs: a binary protocol has
+  /// control characters too.
+  bool are_text() const { return control * 100 <= all && plain * 4 >= all * 3; }
+  /// Of bytes at random three in eight are characters.
+  bool may_have_lines() const { return plain * 2 >= all; }
+};
 
 /// Bytes of the sentence that begins here, with its line end; 0: none with a right checksum does.
 std::size_t sentence_at(wire::Bytes bytes) {
@@ -74,11 +79,12 @@ std::string guess_description(wire::Bytes capture) {
       "[sensor]\ntitle = \"unknown\"\n# kind = \"depth\"              # or dvl, emlog, gnss, imu, "
       "actuator, attitude\n";
   const std::vector<std::uint8_t> rest = without_sentences(capture);
-  const std::string texts = guess_text(capture);
-  const std::string frames = is_text(rest) ? std::string() : guess_binary(rest);
+  const bool has_sentences = rest.size() < capture.size();
+  const bool has_lines = has_sentences || Characters(capture).may_have_lines();
+  const std::string texts = has_lines ? guess_text(capture) : std::string();
+  const std::string frames = Characters(rest).are_text() ? std::string() : guess_binary(rest);
   if (texts.empty() && frames.empty()) return {};
   if (frames.empty()) return std::string(head) + texts;
-  const bool has_sentences = rest.size() < capture.size();
   if (texts.empty() || !has_sentences) return std::string(head) + frames;
   const bool mostly_frames = rest.size() * 2 > capture.size();
   return fmt::format("{}{}{}", head, mostly_frames ? frames : texts,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <tuple>
 
 #include "drivers/wire/described/plan.hpp"
@@ -60,17 +61,25 @@ std::size_t value_of(const LengthField& field, Bytes capture, std::size_t frame)
 struct Tried {
   const Sync* sync = nullptr;
   LengthField field;
-  std::size_t bytes = 0;  ///< in frames behind which the next one begins
-  bool varies = false;    ///< their lengths differ
+  std::size_t bytes = 0;   ///< in frames behind which the next one begins
+  std::size_t frames = 0;  ///< such
+  bool varies = false;     ///< their lengths differ
 };
 
-/// For each number that the field may leave out: the bytes of frames that then reach the next sync.
-Tried best_plus(const Sync& sync, LengthField field, Bytes capture) {
-  struct Links {
-    std::size_t count = 0, bytes = 0, first = 0;  ///< first: its length
-    bool varies = false;
-  };
-  std::array<Links, most_plus + 1> all{};
+/// Of two that explain as many bytes the one with shorter frames: a chain of frames that come in
+/// turn has the sync behind it too.
+bool promises_more(const Tried& a, const Tried& b) {
+  return std::tie(a.bytes, a.frames) > std::tie(b.bytes, b.frames);
+}
+
+constexpr std::size_t pluses = 3;
+
+/// The numbers that the field may leave out, those that most bytes follow first. A sync among the
+/// values stands between two frames, so that a frame may end at a later one: the bytes up to the
+/// second sync count half, as frames that begin at each sync in turn overlap.
+std::array<std::size_t, pluses> likely_pluses(const Sync& sync, const LengthField& field,
+                                              Bytes capture) {
+  std::array<std::size_t, most_plus + 1> bytes{};
   for (std::size_t i = 0; i + 1 < sync.places.size(); ++i) {
     const std::size_t frame = sync.places[i];
     if (frame + field.at + field.size > capture.size()) break;
@@ -79,35 +88,55 @@ Tried best_plus(const Sync& sync, LengthField field, Bytes capture) {
       const std::size_t distance = sync.places[j] - frame;
       if (distance < value || distance - value > most_plus) continue;
       if (distance < std::max(shortest, field.at + field.size) || distance > longest) continue;
-      Links& links = all[distance - value];
-      if (links.count++ == 0) links.first = distance;
-      links.bytes += distance;
-      links.varies |= distance != links.first;
+      bytes[distance - value] += distance / (j - i);
     }
   }
-  const auto best = std::ranges::max_element(all, {}, &Links::bytes);
-  field.plus = static_cast<std::size_t>(best - all.begin());
-  return {&sync, field, best->count + 1 < fewest_frames ? 0 : best->bytes, best->varies};
+  std::array<std::size_t, most_plus + 1> all{};
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::array<std::size_t, pluses> best{};
+  std::ranges::partial_sort_copy(
+      all, best, std::ranges::greater{}, [&](auto p) { return bytes[p]; },
+      [&](auto p) { return bytes[p]; });
+  return best;
+}
+
+/// Frames that do not overlap, with the sync behind each.
+Tried chained(const Sync& sync, const LengthField& field, Bytes capture) {
+  Tried tried{&sync, field};
+  std::size_t next = 0, first = 0;
+  for (const std::size_t frame : sync.places) {
+    if (frame < next || frame + field.at + field.size > capture.size()) continue;
+    const std::size_t size = value_of(field, capture, frame) + field.plus;
+    if (size < std::max(shortest, field.at + field.size) || size > longest) continue;
+    if (!sync.stands(capture, frame + size)) continue;
+    if (tried.frames++ == 0) first = size;
+    tried.varies |= size != first;
+    tried.bytes += size;
+    next = frame + size;
+  }
+  return tried;
 }
 
 std::vector<Tried> most_promising(const std::vector<Sync>& syncs, Bytes capture) {
   std::vector<Tried> all;
   for (const Sync& sync : syncs) {
     std::vector<Tried> of_sync;
-    for (std::size_t at = 1; at <= furthest_length; ++at)
+    for (std::size_t at = sync.size; at <= furthest_length; ++at)
       for (const auto& [size, big] : {std::pair{2, false}, {2, true}, {1, false}}) {
-        if (at < sync.size) continue;
-        const LengthField field{at, static_cast<std::size_t>(size), big};
-        const Tried one = best_plus(sync, field, capture);
-        if (one.bytes > 0) of_sync.push_back(one);
+        LengthField field{at, static_cast<std::size_t>(size), big};
+        for (const std::size_t plus : likely_pluses(sync, field, capture)) {
+          field.plus = plus;
+          const Tried one = chained(sync, field, capture);
+          if (one.frames + 1 >= fewest_frames) of_sync.push_back(one);
+        }
       }
     // The wider field comes first: the upper half of a length may be always zero.
-    std::ranges::stable_sort(of_sync, std::ranges::greater{}, &Tried::bytes);
+    std::ranges::stable_sort(of_sync, promises_more);
     std::size_t varying = 0, constant = 0;
     for (const Tried& one : of_sync)
-      if (one.varies ? varying++ < 3 : constant++ < 1) all.push_back(one);
+      if (one.varies ? varying++ < pluses : constant++ < 1) all.push_back(one);
   }
-  std::ranges::stable_sort(all, std::ranges::greater{}, &Tried::bytes);
+  std::ranges::stable_sort(all, promises_more);
   all.resize(std::min(all.size(), most_tried));
   return all;
 }
@@ -169,6 +198,7 @@ bool is_plausible(const BinaryGuess& guess, Bytes capture) {
 bool is_better(const BinaryGuess& a, const BinaryGuess& b) {
   if (a.sum.has_value() != b.sum.has_value()) return a.sum.has_value();
   if (a.bytes() != b.bytes()) return a.bytes() > b.bytes();
+  if (a.frames.size() != b.frames.size()) return a.frames.size() > b.frames.size();
   // The upper half of a length is no part of a sync. What stands at the end of each frame stands
   // before the next one as well: the first frame tells which it is.
   const auto rank = [](const BinaryGuess& g) {

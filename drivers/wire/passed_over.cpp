@@ -7,23 +7,15 @@
 
 #include "drivers/wire/bytes.hpp"
 #include "drivers/wire/j1939/j1939.hpp"
+#include "drivers/wire/j1939/pgn_name.hpp"
 #include "drivers/wire/nmea0183/nmea0183_sentence.hpp"
 #include "drivers/wire/nmea2000/pgn_name.hpp"
 #include "drivers/wire/ubx/rtcm3.hpp"
 #include "drivers/wire/ubx/ubx_frame.hpp"
+#include "drivers/wire/ubx/ubx_names.hpp"
 
 namespace drydock::wire {
 namespace {
-
-struct UbxClass {
-  std::uint8_t number;
-  std::string_view name;
-};
-constexpr std::array ubx_classes{
-    UbxClass{0x01, "NAV"}, UbxClass{0x02, "RXM"}, UbxClass{0x04, "INF"}, UbxClass{0x05, "ACK"},
-    UbxClass{0x06, "CFG"}, UbxClass{0x09, "UPD"}, UbxClass{0x0A, "MON"}, UbxClass{0x0B, "AID"},
-    UbxClass{0x0D, "TIM"}, UbxClass{0x10, "ESF"}, UbxClass{0x13, "MGA"}, UbxClass{0x21, "LOG"},
-    UbxClass{0x27, "SEC"}, UbxClass{0x28, "HNR"}, UbxClass{0x29, "NAV2"}};
 
 /// Data types that the guides of Teledyne's ADCPs, of VmDas and of WinRiver name. Other programs
 /// write their own under the same numbers.
@@ -44,11 +36,7 @@ constexpr std::array pd0_blocks{Pd0Block{0x0100, "velocity profile"},
                                 Pd0Block{0x2103, "GSA sentence, as of WinRiver"},
                                 Pd0Block{0x2104, "HDT sentence, as of WinRiver"}};
 
-std::string ubx_name(Bytes frame) {
-  const auto known = std::ranges::find(ubx_classes, frame[2], &UbxClass::number);
-  return known != ubx_classes.end() ? fmt::format("UBX {}-{:02X}", known->name, frame[3])
-                                    : fmt::format("UBX {:02X}-{:02X}", frame[2], frame[3]);
-}
+std::string ubx_name(Bytes frame) { return "UBX " + ubx::message_name(frame[2], frame[3]); }
 
 /// The type is the first 12 bits of the payload.
 std::string rtcm_name(Bytes frame) {
@@ -74,7 +62,8 @@ std::string identifier_name(const CanFrame& frame) {
 }
 
 std::string pgn_text(std::uint32_t pgn) {
-  const std::string_view name = nmea2000::pgn_name(pgn);
+  std::string_view name = nmea2000::pgn_name(pgn);
+  if (name.empty()) name = j1939::pgn_name(pgn);
   return fmt::format("PGN {}{}{}", pgn, name.empty() ? "" : " ", name);
 }
 

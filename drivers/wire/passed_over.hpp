@@ -10,13 +10,24 @@
 /// functions allocate; no driver calls them.
 namespace drydock::wire {
 
-/// By the frame's first bytes: "UBX MON-09" (class and id), "RTCM 1077", a line's first word such
-/// as
+/// By the frame's first bytes: "UBX NAV-PVT", "UBX MON-5C" (class and id), "RTCM 1077", a line's
+/// first word such as
 /// "$GPGRS", otherwise "frame of 47 bytes".
 std::string frame_name(Bytes frame);
 
 /// On J1939 and NMEA 2000 "PGN 130306 wind", otherwise "identifier 185".
 std::string frame_name(const CanFrame& frame, Network network);
+
+/// The same, and behind it the name that the decoder's protocol has for it: "identifier 100
+/// STATUS_01".
+template <class Decoder>
+std::string frame_name_of(const CanFrame& frame, Network network) {
+  std::string name = frame_name(frame, network);
+  if constexpr (requires { Decoder::frame_name(frame); })
+    if (const std::string_view of_protocol = Decoder::frame_name(frame); !of_protocol.empty())
+      name.append(" ").append(of_protocol);
+  return name;
+}
 
 /// "block 0A00", in hexadecimal; one that a document names: "block 0100 velocity profile".
 std::string block_name(std::uint16_t id);

@@ -107,11 +107,8 @@ bool SamplingDevice::is_left_out() {
 void SamplingDevice::take(Stamp at, Wire& out) {
   NoWire nowhere;
   under_way_ = at;
-  if (dropouts_.next_is_lost() || is_left_out()) {
-    sample(at, nowhere);
-  } else {
-    sample(at, out);
-  }
+  lost_ = dropouts_.next_is_lost() || is_left_out();
+  sample(at, lost_ ? static_cast<Wire&>(nowhere) : out);
   under_way_.reset();
 }
 

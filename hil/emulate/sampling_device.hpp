@@ -52,6 +52,8 @@ class SamplingDevice : public EmulatedDevice {
   explicit SamplingDevice(const DeviceSetup& setup);
 
   virtual void sample(Stamp at, Wire& out) = 0;
+  /// During sample(): nothing of it reaches the wire, then or later.
+  bool sample_is_lost() const { return lost_; }
 
   void take(Stamp at, Wire& out);  ///< calls sample(), with the dropouts of the configuration
   /// From the next sample on, which keeps its time. Error models keep the rate of the rig file.
@@ -84,6 +86,7 @@ class SamplingDevice : public EmulatedDevice {
   Stamp first_;
   std::uint64_t samples_ = 0;
   std::optional<Stamp> under_way_;
+  bool lost_ = false;
 };
 
 }  // namespace drydock::emulate

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 #include "rig_config/device_description/plan_reader.hpp"
@@ -28,7 +29,7 @@ bool heads_meet(const Message& a, const Message& b) {
 
 bool at_one_place(const Field& a, const Field& b) {
   const auto place = [](const Field& f) {
-    return std::tuple(f.at, f.size, f.big_endian, f.low_word_first, f.first_bit, f.bits);
+    return std::tuple(f.record, f.at, f.size, f.big_endian, f.low_word_first, f.first_bit, f.bits);
   };
   return place(a) == place(b);
 }
@@ -36,9 +37,9 @@ bool at_one_place(const Field& a, const Field& b) {
 /// True if a constant of one is another constant of the other at the same place.
 bool constants_differ(std::span<const Field> a, std::span<const Field> b, Form form) {
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].type != Type::constant || a[i].record) continue;
+    if (a[i].type != Type::constant) continue;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      if (b[j].type != Type::constant || b[j].record) continue;
+      if (b[j].type != Type::constant) continue;
       const bool same_place = form == Form::binary ? at_one_place(a[i], b[j]) : i == j;
       const bool differ = form == Form::binary
                               ? a[i].idle != b[j].idle
@@ -112,6 +113,15 @@ std::string outside(const Message& message, const Plan& plan) {
   if (message.records && message.records->from + message.records->header() + sum > longest)
     return "its records begin outside of it";
   for (const Field& field : plan.fields_of(message)) {
+    if (field.record && message.records && message.records->are_blocks()) {
+      const auto& sizes = message.records->sizes;
+      if (*field.record >= sizes.size())
+        return fmt::format("a field is in block {}, the last that has a size is {}", *field.record,
+                           sizes.size() - 1);
+      if (field.at + std::size_t{field.size} > sizes[*field.record])
+        return fmt::format("field at {} ends behind the {} bytes of block {}", field.at,
+                           sizes[*field.record], *field.record);
+    }
     if (field.record) continue;
     if (message.records && field.at + std::size_t{field.size} > message.records->from)
       return fmt::format("field at {} is where the records are, which begin at byte {}", field.at,
@@ -128,6 +138,23 @@ std::string outside(const Message& message, const Plan& plan) {
   return {};
 }
 
+/// Two fields that measure and have bits in common, though they are not the same ones. Empty: none.
+std::optional<std::pair<std::size_t, std::size_t>> overlap(std::span<const Field> fields) {
+  const auto meet = [](const Field& a, const Field& b) {
+    if (!a.target || !b.target || a.record != b.record) return false;
+    if (at_one_place(a, b) && a.type == b.type) return false;
+    const std::size_t end_a = a.at + std::size_t{a.size}, end_b = b.at + std::size_t{b.size};
+    if (a.at >= end_b || b.at >= end_a) return false;
+    if (a.bits == 0 || b.bits == 0) return true;
+    const bool one_integer = a.at == b.at && a.size == b.size && a.big_endian == b.big_endian;
+    return one_integer && a.first_bit < b.first_bit + b.bits && b.first_bit < a.first_bit + a.bits;
+  };
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (meet(fields[j], fields[i])) return std::pair(j, i);
+  return {};
+}
+
 }  // namespace
 
 Problems check_plan(const Plan& plan, std::span<const Node> tables, const std::string& file,
@@ -141,6 +168,12 @@ Problems check_plan(const Plan& plan, std::span<const Node> tables, const std::s
     const Message& message = plan.messages[i];
     if (plan.form == Form::binary)
       if (std::string what = outside(message, plan); !what.empty()) add(std::move(what));
+    if (const auto pair =
+            plan.form == Form::binary ? overlap(plan.fields_of(message)) : std::nullopt)
+      add(fmt::format(
+          "{} and {} measure the same bytes and are not the same number; allowed: "
+          "fields that stand apart, or at one place with one type",
+          plan.fields_of(message)[pair->first].key, plan.fields_of(message)[pair->second].key));
     for (std::size_t j = 0; j < i; ++j)
       if (ambiguous(plan.messages[j], message, plan))
         add(

@@ -194,8 +194,8 @@ class FieldReader {
 
   void read_record(const Node& record) {
     field_.record = static_cast<std::uint16_t>(record.integer);
-    if (!context_.has_records) add(record, "its message has no 'records'");
-    if (field_.type == Type::constant)
+    if (!context_.records) add(record, "its message has no 'records'");
+    if (field_.type == Type::constant && context_.records && !context_.records->are_blocks())
       add(record, "a constant is in front of the records: it tells what the message is");
   }
 

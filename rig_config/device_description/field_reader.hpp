@@ -18,9 +18,9 @@ struct FieldContext {
   char separator;                         ///< behind a field of a text
   NumberOrder order;                      ///< unless the field says it
   std::string file, path;
-  const wire::dbc::Message* message = nullptr;       ///< frames: that of the DBC file
-  const std::vector<std::string>* groups = nullptr;  ///< lines: of their pattern
-  bool has_records = false;                          ///< binary: the message is made of records
+  const wire::dbc::Message* message = nullptr;        ///< frames: that of the DBC file
+  const std::vector<std::string>* groups = nullptr;   ///< lines: of their pattern
+  const wire::described::Records* records = nullptr;  ///< binary: of which the message is made
 };
 
 /// Reads the table of one field of a message. Problems are appended; the field is then not usable.

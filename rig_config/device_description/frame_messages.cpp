@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "drivers/measurement/units.hpp"
+#include "drivers/wire/dbc/same_frame.hpp"
 #include "rig_config/device_description/dbc_source.hpp"
 #include "rig_config/rules/explain.hpp"
 #include "rig_config/toml/read_keys.hpp"
@@ -32,6 +35,7 @@ class FrameMessages {
     dbc::Database used;
     for (std::size_t i = 0; database && i < tables.items.size(); ++i)
       use_message(tables.items[i], i, *database, used);
+    refuse_same_frames(tables, used);
     return problems_.empty() ? std::make_shared<described::FramePlan>(used) : nullptr;
   }
 
@@ -60,6 +64,19 @@ class FrameMessages {
           fmt::format("message {} has {} bytes, allowed: up to {}, which one frame holds{}",
                       message->long_name, message->size, most, advice_of(*message)));
     used.messages.push_back(*message);
+  }
+
+  void refuse_same_frames(const Node& tables, const dbc::Database& used) {
+    if (used.messages.size() != tables.items.size()) return;
+    for (const auto& [first, second] : dbc::same_frames(used.messages)) {
+      const Node& word = *tables.items[second].find("message");
+      if (used.messages[first].name != used.messages[second].name)
+        add(word, fmt::format("{}/{}/message", tables_path, second),
+            fmt::format("the DBC file gives {} the identifier of {} of line {}: no frame tells "
+                        "which of them it is, allowed: one of the two",
+                        used.messages[second].long_name, used.messages[first].long_name,
+                        tables.items[first].at.line));
+    }
   }
 
   /// Many files have messages of CAN FD and do not say so.
@@ -97,11 +114,19 @@ std::shared_ptr<described::FramePlan> plan_frames(const Node& root,
 }
 
 void limit_samples(const Node& protocol, described::FramePlan& frames) {
-  unsigned cycle_ms = 0;
-  for (const auto& one : frames.frames)
-    if (one.message.cycle_ms != 0 && (cycle_ms == 0 || one.message.cycle_ms < cycle_ms))
-      cycle_ms = one.message.cycle_ms;
-  if (cycle_ms != 0) frames.longest_sample = std::chrono::microseconds{500 * cycle_ms};
+  using std::chrono::microseconds;
+  constexpr std::chrono::seconds unknown_cycle{1};
+  std::optional<microseconds> burst;
+  std::chrono::nanoseconds in_turn{0};
+  for (const auto& one : frames.frames) {
+    const microseconds half(500 * one.message.cycle_ms);
+    if (half.count() != 0) burst = std::min(burst.value_or(half), half);
+    const auto turns = static_cast<int>(one.waited_turns);
+    if (turns > 1 && half.count() == 0) in_turn = unknown_cycle;
+    if (turns > 1) in_turn = std::max<std::chrono::nanoseconds>(in_turn, half * (2 * turns - 1));
+  }
+  if (burst) frames.longest_sample = *burst;
+  frames.longest_sample = std::max(frames.longest_sample, in_turn);
   if (const auto within = read_if(protocol, "within_ms", millisecond))
     frames.longest_sample = std::chrono::nanoseconds{std::llround(*within * 1e9)};
 }

@@ -43,6 +43,7 @@ class FrameReader {
     read(table_, "sample", layout_.sample);
     read_selections(fields);
     read_optional(fields);
+    count_waited_turns(fields);
     if (const Node* checksum = table_.find("checksum")) read_checksum(*checksum);
     if (const Node* counter = table_.find("counter")) read_counter(*counter);
     for (const Field& field : fields) layout_.joins |= field.target || field.validity;
@@ -66,6 +67,18 @@ class FrameReader {
     read(table_, "optional", whole);
     for (std::size_t i = 0; i < fields.size(); ++i)
       if (whole || fields[i].optional) layout_.optional |= 1u << i;
+  }
+
+  void count_waited_turns(std::span<const Field> fields) {
+    std::vector<Selection> waited;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const bool waits =
+          (layout_.optional >> i & 1) == 0 && (fields[i].target || fields[i].validity);
+      const Selection one = selection_of(layout_.message, fields[i].at);
+      if (waits && !one.empty() && std::ranges::find(waited, one) == waited.end())
+        waited.push_back(one);
+    }
+    layout_.waited_turns = std::max<std::size_t>(1, waited.size());
   }
 
   /// The place of the signal that a key names. Empty after a problem.
@@ -156,6 +169,17 @@ class FrameReader {
   Problems& problems_;
 };
 
+/// From one frame of a selection to the next; 0: not known.
+unsigned sample_ms(const FrameLayout& frame) {
+  return frame.message.cycle_ms * static_cast<unsigned>(frame.waited_turns);
+}
+
+std::string time_text(const FrameLayout& frame) {
+  return frame.waited_turns == 1 ? fmt::format("cycle time is {} ms", sample_ms(frame))
+                                 : fmt::format("cycle time for its {} frames in turn is {} ms",
+                                               frame.waited_turns, sample_ms(frame));
+}
+
 /// The targets of a message.
 wire::described::TargetSet targets(const wire::described::Plan& plan, std::size_t place) {
   wire::described::TargetSet found;
@@ -185,12 +209,12 @@ Problems check_samples(const wire::described::Plan& plan, const wire::described:
       if ((targets(plan, i) & targets(plan, j)).any())
         add(fmt::format("the message of line {} measures the same; allowed: another 'sample'",
                         tables[j].at.line));
-      const unsigned a = all[i].message.cycle_ms, b = all[j].message.cycle_ms;
+      const unsigned a = sample_ms(all[i]), b = sample_ms(all[j]);
       if (a != b && a != 0 && b != 0 && all[i].optional == 0 && all[j].optional == 0)
         add(
-            fmt::format("its cycle time is {} ms, and that of line {} is {} ms: they cannot make "
-                        "one sample; allowed: another 'sample', 'optional = true'",
-                        a, tables[j].at.line, b));
+            fmt::format("its {}, and that of line {} is {} ms: they cannot make one sample; "
+                        "allowed: another 'sample', 'optional = true'",
+                        time_text(all[i]), tables[j].at.line, b));
     }
   return problems;
 }

@@ -1,5 +1,7 @@
 #include "rig_config/device_description/message_head.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "rig_config/device_description/field_reader.hpp"
@@ -49,7 +51,14 @@ class HeadReader {
     std::erase_if(message_.name, [](char c) { return c == '$' || c == '!' || c == '-'; });
     message_.any_talker =
         message_.head.substr(std::min<std::size_t>(1, message_.head.size())).starts_with("--");
-    if (has_id) message_.head += separator_of(protocol_);
+    if (!has_id) return;
+    const char separator = separator_of(protocol_);
+    if (message_.head.find(separator) != message_.head.npos)
+      add(*table_.find("id"), path_ + "/id",
+          fmt::format("ends before the first '{}': what stands behind it is a field; of one that "
+                      "never changes 'is' says what it is",
+                      separator));
+    message_.head += separator;
   }
 
  private:
@@ -110,19 +119,50 @@ class HeadReader {
   void read_records(const Node& table) {
     auto& records = message_.records.emplace();
     records.from = static_cast<std::uint16_t>(table.find("from")->integer);
+    records.big_endian = order_of(protocol_).big_endian;
+    if (message_.length.size == 0 && !message_.length.is_any())
+      add(table, path_ + "/records", "a message of records has a 'length' that a field says");
+    const bool by_mask = table.find("mask") && table.find("sizes");
+    const bool by_id = table.find("id") && table.find("length");
+    const int keys = (table.find("mask") != nullptr) + (table.find("sizes") != nullptr) +
+                     (table.find("id") != nullptr) + (table.find("length") != nullptr);
+    if (keys != 2 || by_mask == by_id)
+      add(table, path_ + "/records", "needs 'id' and 'length', or 'mask' and 'sizes'");
+    else if (by_mask)
+      read_blocks(table, records);
+    else
+      read_headed_records(table, records);
+  }
+
+  void read_blocks(const Node& table, described::Records& blocks) {
+    Field field;
+    const Node& mask = *table.find("mask");
+    const auto& sizes = table.find("sizes")->items;
+    const bool is_unsigned =
+        read_binary_type(mask.find("type")->text, field) && field.type == Type::unsigned_integer;
+    blocks.mask_at = static_cast<std::uint16_t>(mask.find("at")->integer);
+    blocks.mask_size = field.size;
+    for (const Node& size : sizes) blocks.sizes.push_back(static_cast<std::uint8_t>(size.integer));
+    if (!is_unsigned || field.size > 4)
+      add(mask, path_ + "/records/mask", "a mask has a type u8, u16, u24 or u32");
+    else if (sizes.size() > 8 * std::size_t{field.size})
+      add(*table.find("sizes"), path_ + "/records/sizes",
+          fmt::format("has {} sizes, the mask has {} bits", sizes.size(), 8 * field.size));
+    if (blocks.mask_at + blocks.mask_size > blocks.from)
+      add(mask, path_ + "/records/mask", "stands in front of the blocks, which begin at 'from'");
+  }
+
+  void read_headed_records(const Node& table, described::Records& records) {
     records.id_at = static_cast<std::uint8_t>(table.find("id")->find("at")->integer);
     records.id_size = record_part(table, "id");
     records.length_at = static_cast<std::uint8_t>(table.find("length")->find("at")->integer);
     records.length_size = record_part(table, "length");
-    records.big_endian = order_of(protocol_).big_endian;
     if (const Node* plus = table.find("length")->find("plus"))
       records.plus = static_cast<std::uint8_t>(plus->integer);
     const bool apart = records.id_at + records.id_size <= records.length_at ||
                        records.length_at + records.length_size <= records.id_at;
     if (!apart)
       add(table, path_ + "/records", "the id and the length of a record have a byte in common");
-    if (message_.length.size == 0 && !message_.length.is_any())
-      add(table, path_ + "/records", "a message of records has a 'length' that a field says");
   }
 
   void add(const Node& at, const std::string& path, std::string what) {

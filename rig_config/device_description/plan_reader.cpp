@@ -178,7 +178,7 @@ class PlanReader {
           fmt::format("{}/fields/{}", path, i),
           frames_ ? &frames_->frames[plan().messages.size()].message : nullptr,
           line ? &line->pattern.groups() : nullptr,
-          message.records.has_value()};
+          message.records ? &*message.records : nullptr};
       read.push_back(read_field(fields->items[i], context, problems_));
       message.publishes |= read.back().target && !described::is_time(*read.back().target);
     }

@@ -37,6 +37,12 @@ class KeysReader {
       read_checksum(*word, "/protocol/checksum", plan_.checksum, file_, problems_);
     else if (plan_.form == Form::sentences)
       described::Checksum::find("xor", plan_.checksum);
+    const bool is_fletcher = plan_.checksum.name().starts_with("fletcher");
+    if (is_fletcher && plan_.checksum_big_endian && !protocol_.find("checksum_order"))
+      add("checksum",
+          "its two sums would change places with the 'order' of the numbers; allowed: "
+          "'checksum_order', \"little\" where the sum of the bytes comes first (UBX, MIP) or "
+          "\"big\"");
     plan_.checksum_from = plan_.form == Form::sentences ? 1 : 0;
     if (const Node* from = protocol_.find("checksum_from"))
       plan_.checksum_from = static_cast<std::uint16_t>(from->integer);

@@ -47,7 +47,9 @@ inline constexpr std::array gnss_position{Column{"SID", "sequence", 1},
                                           Column{"Number of SVs", "satellites", 1},
                                           Column{"HDOP", "horizontal_dop", 0.01},
                                           Column{"PDOP", "position_dop", 0.01},
-                                          Column{"Geoidal Separation", "geoid_height_m", 0.01}};
+                                          Column{"Geoidal Separation", "geoid_height_m", 0.01},
+                                          Column{"Integrity", "integrity", 1},
+                                          Column{"Reference Stations", "reference_stations", 1}};
 inline constexpr std::array temperature{
     Column{"SID", "sequence", 1}, Column{"Instance", "instance", 1}, Column{"Source", "kind", 1},
     Column{"Actual Temperature", "actual_k", 0.01}, Column{"Set Temperature", "set_k", 0.01}};

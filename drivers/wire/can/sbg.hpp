@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "drivers/wire/can/can_frame.hpp"
+#include "drivers/wire/can/sbg_names.hpp"
 #include "drivers/wire/codec.hpp"
 #include "drivers/wire/fields.hpp"
 
@@ -154,6 +155,10 @@ struct Sbg {
    public:
     std::optional<Message> receive(const CanFrame& frame);
     const StreamCounters& counters() const { return counters_; }
+    /// Of frames that it does not read.
+    static std::string_view frame_name(const CanFrame& frame) {
+      return frame.extended ? std::string_view() : sbg::message_name(frame.id);
+    }
 
    private:
     StreamCounters counters_;

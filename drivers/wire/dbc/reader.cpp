@@ -6,6 +6,7 @@
 #include "drivers/wire/dbc/annotations.hpp"
 #include "drivers/wire/dbc/keywords.hpp"
 #include "drivers/wire/dbc/layout_check.hpp"
+#include "drivers/wire/dbc/same_frame.hpp"
 #include "drivers/wire/dbc/signal_line.hpp"
 #include "drivers/wire/dbc/text_encoding.hpp"
 
@@ -148,6 +149,18 @@ class Reader {
       resolve_multiplexing(m, contents_.choices[i], contents_.remarks);
       check_layout(m, contents_.remarks);
     }
+    warn_of_same_frames();
+  }
+
+  /// Of one identifier add_message() has warned.
+  void warn_of_same_frames() {
+    const auto& messages = contents_.database.messages;
+    for (const auto& [first, second] : same_frames(messages))
+      if (messages[first].id != messages[second].id)
+        contents_.remarks.warn(
+            messages[second].at,
+            "message " + messages[second].name + " has the same frames as " + messages[first].name +
+                " of line " + std::to_string(messages[first].at.line) + ": none tells them apart");
   }
 
   Scanner in_;

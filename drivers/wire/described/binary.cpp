@@ -171,8 +171,20 @@ bool put_field(std::span<const Field> fields, const Field& field, const Readings
   return true;
 }
 
+/// The bits of the blocks that have fields.
+std::uint64_t mask_of_blocks(std::span<const Field> fields) {
+  std::uint64_t mask = 0;
+  for (const Field& field : fields)
+    if (field.record) mask |= std::uint64_t{1} << *field.record;
+  return mask;
+}
+
 std::size_t bytes_of_records(const Records& records, std::span<const Field> fields) {
   std::size_t bytes = 0;
+  const std::uint64_t mask = mask_of_blocks(fields);
+  for (std::size_t bit = 0; bit < records.sizes.size(); ++bit)
+    if ((mask >> bit & 1) != 0) bytes += records.sizes[bit];
+  if (records.are_blocks()) return bytes;
   for_each_described_record(
       fields, [&](std::uint16_t, std::size_t size) { bytes += records.header() + size; });
   return bytes;
@@ -191,6 +203,20 @@ bool put_records(const Records& records, std::span<const Field> fields, const Re
     out = out.subspan(whole);
   });
   return all;
+}
+
+bool put_blocks(const Records& blocks, std::span<const Field> fields, const Readings& readings,
+                std::span<std::uint8_t> out) {
+  const std::uint64_t mask = mask_of_blocks(fields);
+  store(out, blocks.mask_at, blocks.mask_size, blocks.big_endian, mask);
+  std::size_t at = blocks.from;
+  for (std::size_t bit = 0; bit < blocks.sizes.size(); ++bit) {
+    if ((mask >> bit & 1) == 0) continue;
+    for (const Field& field : fields)
+      if (field.record == bit && !put_field(fields, field, readings, out.subspan(at))) return false;
+    at += blocks.sizes[bit];
+  }
+  return true;
 }
 
 /// Bytes of a message in front of its records and its tail.
@@ -217,7 +243,10 @@ std::size_t encode_whole(const Plan& plan, const Message& message, const Reading
   if (length.size != 0) store(out, length.at, length.size, length.big_endian, size - length.plus);
   for (const Field& field : fields)
     if (!field.record && !put_field(fields, field, readings, out)) return 0;
-  if (message.records && !put_records(*message.records, fields, readings, out.subspan(header)))
+  const auto& records = message.records;
+  if (records && records->are_blocks() && !put_blocks(*records, fields, readings, out)) return 0;
+  if (records && !records->are_blocks() &&
+      !put_records(*records, fields, readings, out.subspan(header)))
     return 0;
   put_checksums(plan, message, out.first(size));
   std::ranges::copy(plan.end, out.begin() + static_cast<std::ptrdiff_t>(size - plan.end.size()));

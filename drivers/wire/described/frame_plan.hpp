@@ -32,6 +32,7 @@ struct FrameLayout {
   std::optional<dbc::Protection> checksum;
   std::optional<CounterSignal> counter;
   std::vector<Selection> turns;  ///< an emulated device sends one frame for each
+  std::size_t waited_turns = 0;  ///< those that a sample waits for
   std::uint32_t shared = 0;      ///< bits of fields that come with several selections
   std::uint32_t optional = 0;    ///< bits of fields for which no sample waits
   bool joins = false;            ///< a field measures, or says whether that holds

@@ -92,13 +92,18 @@ struct Length {
   bool is_any() const { return size == 0 && fixed == 0; }
 };
 
-/// Parts of a binary message that come in any order, each behind its identifier and its length.
+/// Parts of a binary message that come in any order, each behind its identifier and its length; or
+/// blocks in a fixed order, of which a mask says which are there. Their identifiers are its bits.
 struct Records {
-  std::uint16_t from = 0;  ///< first byte of the first one
+  std::uint16_t from = 0;                ///< first byte of the first one
+  std::uint16_t mask_at = 0;             ///< of blocks
+  std::uint8_t mask_size = 0;            ///< bytes
+  std::vector<std::uint8_t> sizes = {};  ///< bytes of the block of each bit; empty: no blocks
   std::uint8_t id_at = 0, id_size = 0, length_at = 0, length_size = 0;
   bool big_endian = false;
   std::uint8_t plus = 0;  ///< bytes of a record that its length does not count
 
+  bool are_blocks() const { return !sizes.empty(); }
   std::size_t header() const {
     return std::max(id_at + std::size_t{id_size}, length_at + std::size_t{length_size});
   }

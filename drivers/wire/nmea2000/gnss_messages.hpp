@@ -49,6 +49,11 @@ struct GnssPosition {
   std::optional<std::uint8_t> satellites;
   std::optional<double> horizontal_dop, position_dop;
   std::optional<double> geoid_height_m;
+  std::optional<std::uint8_t> integrity;           ///< 0 not checked, 1 safe, 2 caution
+  std::optional<std::uint8_t> reference_stations;  ///< the first of them follows; we send none
+  std::optional<std::uint8_t> station_system;
+  std::optional<std::uint16_t> station_id;
+  std::optional<double> station_age_s;  ///< of its corrections
 
   static void layout(auto& m, auto&& field) {
     field("sequence", m.sequence, Whole{0});
@@ -62,6 +67,11 @@ struct GnssPosition {
     field("horizontal_dop", m.horizontal_dop, Scaled<std::int16_t>{34, hundredth, 0});
     field("position_dop", m.position_dop, Scaled<std::int16_t>{36, hundredth, 0});
     field("geoid_height_m", m.geoid_height_m, Scaled<std::int32_t>{38, hundredth});
+    field("integrity", m.integrity, Bits{32, 0, 2});
+    field("reference_stations", m.reference_stations, Whole{42});
+    field("station_system", m.station_system, Bits{43, 0, 4});
+    field("station_id", m.station_id, WordBits{43, 4, 12});
+    field("station_age_s", m.station_age_s, Scaled<std::uint16_t>{45, hundredth});
   }
   void correct() {
     if (method.value_or(no_fix) == no_fix) latitude_rad = longitude_rad = altitude_m = std::nullopt;

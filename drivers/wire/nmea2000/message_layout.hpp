@@ -46,6 +46,15 @@ struct Bits {
   constexpr unsigned first_reserved() const { return width >= 4 ? mask() - 1 : mask(); }
 };
 
+/// Bits of the 16 that begin with this byte, low byte first. The three highest values are no
+/// numbers.
+struct WordBits {
+  std::size_t at;
+  unsigned shift, width;
+
+  constexpr unsigned mask() const { return (1U << width) - 1; }
+};
+
 /// Days since 1970 (16 bits) and then 1e-4 s of the day (32 bits), as nanoseconds since 1970.
 struct DayTime {
   std::size_t at;
@@ -74,6 +83,12 @@ class FieldReader {
     value.reset();
     if (bits < place.first_reserved()) value = static_cast<std::uint8_t>(bits);
   }
+  void operator()(std::string_view, std::optional<std::uint16_t>& value, WordBits place) const {
+    const auto raw = load<std::uint16_t>(place.at);
+    const unsigned bits = raw.value_or(0xFFFF) >> place.shift & place.mask();
+    value.reset();
+    if (bits + 3 <= place.mask()) value = static_cast<std::uint16_t>(bits);
+  }
   void operator()(std::string_view, std::optional<std::int64_t>& value, DayTime place) const {
     std::optional<std::uint16_t> days;
     std::optional<std::uint32_t> steps;
@@ -93,23 +108,35 @@ class FieldReader {
   Bytes payload_;
 };
 
-/// Writes into bytes that are all 0xFF.
+/// Writes into bytes that are all 0xFF. What stands behind them is not written.
 class FieldWriter {
  public:
   explicit FieldWriter(std::span<std::uint8_t> payload) : payload_(payload) {}
 
   template <class Raw>
   void operator()(std::string_view, const std::optional<Raw>& value, Whole place) const {
-    store_le<Raw>(payload_, place.at, value.value_or(Sentinels<Raw>::not_available));
+    if (has(place.at, sizeof(Raw)))
+      store_le<Raw>(payload_, place.at, value.value_or(Sentinels<Raw>::not_available));
   }
   template <class Raw>
   void operator()(std::string_view, const std::optional<double>& value, Scaled<Raw> place) const {
-    store_le<Raw>(payload_, place.at, to_scaled_field<Raw>(value, place.step));
+    if (has(place.at, sizeof(Raw)))
+      store_le<Raw>(payload_, place.at, to_scaled_field<Raw>(value, place.step));
   }
   void operator()(std::string_view, const std::optional<std::uint8_t>& value, Bits place) const {
+    if (!has(place.at, 1)) return;
     const unsigned bits = value.value_or(place.mask()) & place.mask();
     const unsigned others = payload_[place.at] & ~(place.mask() << place.shift);
     payload_[place.at] = static_cast<std::uint8_t>(others | bits << place.shift);
+  }
+  void operator()(std::string_view, const std::optional<std::uint16_t>& value,
+                  WordBits place) const {
+    if (!has(place.at, 2)) return;
+    const unsigned bits = value.value_or(place.mask()) & place.mask();
+    const unsigned others =
+        load_le<std::uint16_t>(payload_, place.at) & ~(place.mask() << place.shift);
+    store_le<std::uint16_t>(payload_, place.at,
+                            static_cast<std::uint16_t>(others | bits << place.shift));
   }
   void operator()(std::string_view, const std::optional<std::int64_t>& value, DayTime place) const {
     std::optional<std::uint16_t> days;
@@ -123,6 +150,8 @@ class FieldWriter {
   }
 
  private:
+  bool has(std::size_t at, std::size_t size) const { return at + size <= payload_.size(); }
+
   std::span<std::uint8_t> payload_;
 };
 

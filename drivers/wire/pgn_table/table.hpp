@@ -84,6 +84,7 @@ struct Table {
   std::vector<Lookup> lookups, bit_lookups;
   std::vector<std::map<std::pair<std::uint64_t, std::uint64_t>, std::string>> indirect_lookups;
   std::vector<std::unordered_map<std::uint64_t, KeyedField>> keyed;
+  std::vector<std::string> missing_lookups;  ///< their fields are numbers without a label
   std::size_t fallbacks = 0;  ///< definitions that only say that nobody knows the PGN
 };
 

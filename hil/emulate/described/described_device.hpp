@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "drivers/measurement/earlier.hpp"
@@ -34,10 +35,14 @@ class DescribedDevice : public Base {
 
   std::optional<Stamp> deadline() const override {
     if (node_ && node_->is_booting()) return node_->deadline();
-    return measurement::earlier(node_ ? node_->deadline() : std::nullopt, due());
+    const auto next = later_.empty() ? std::nullopt : std::optional(later_.begin()->first);
+    return measurement::earlier(node_ ? node_->deadline() : std::nullopt,
+                                measurement::earlier(next, due()));
   }
+  std::optional<Stamp> sampled_at() const override { return late_ ? late_ : Base::sampled_at(); }
   void tick(Stamp now, Wire& out) override {
     if (node_) node_->tick(now, out);
+    send_later(now, out);
     if (!is_polled()) return Base::tick(now, out);
     while (!asked_.empty() && asked_.front().at + this->latency() <= now) {
       this->take(asked_.front().at, out);
@@ -63,6 +68,10 @@ class DescribedDevice : public Base {
   struct Asked {
     Stamp at;
     const std::string* reply;
+  };
+  struct Later {
+    Stamp sampled_at;
+    wire::CanFrame frame;
   };
   static constexpr std::size_t most_asked = 16;  ///< a driver that asks faster loses answers
 
@@ -135,11 +144,31 @@ class DescribedDevice : public Base {
     if (size > 0) out.send(wire::Bytes{bytes_}.first(size));
   }
 
-  /// One frame for each selection of a multiplexed message.
+  /// A multiplexed message sends one selection each cycle time: what it sampled is spread evenly
+  /// over the time up to the next sample.
   void send_frames(const Message& message, Wire& out) {
     const std::size_t place = place_of(message);
-    for (const auto& selection : description_->frames->frames[place].turns)
-      if (const auto frame = frames_->encode(place, selection, readings_)) out.send(*frame);
+    const auto& turns = description_->frames->frames[place].turns;
+    const Stamp at = *this->sampled_at();
+    const double seconds = turns_[place].samples() / this->rate_hz();
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+      const auto frame = frames_->encode(place, turns[i], readings_);
+      const double share = static_cast<double>(i) / static_cast<double>(turns.size());
+      if (frame && i == 0)
+        out.send(*frame);
+      else if (frame && !this->sample_is_lost())
+        later_.emplace(at + this->latency() + measurement::from_seconds(share * seconds),
+                       Later{at, *frame});
+    }
+  }
+
+  void send_later(Stamp now, Wire& out) {
+    while (!later_.empty() && later_.begin()->first <= now) {
+      late_ = later_.begin()->second.sampled_at;
+      out.send(later_.begin()->second.frame);
+      late_.reset();
+      later_.erase(later_.begin());
+    }
   }
 
   std::size_t place_of(const Message& message) const {
@@ -150,6 +179,8 @@ class DescribedDevice : public Base {
   std::optional<wire::described::FrameEncoder> frames_;  ///< of a DBC file
   std::vector<Turn> turns_;                              ///< of the frames of each message
   std::optional<J1939Node> node_;                        ///< on J1939
+  std::multimap<Stamp, Later> later_;                    ///< by the time when it is sent
+  std::optional<Stamp> late_;                            ///< while such a frame is sent: its sample
   RequestListener requests_;
   std::deque<Asked> asked_;
   wire::described::Readings readings_;

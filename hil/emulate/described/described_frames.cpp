@@ -10,19 +10,24 @@ namespace {
 constexpr std::uint8_t first_of_own_choice = 128;  // J1939-81: the addresses that a node may choose
 constexpr std::uint32_t source_bits = 0xFF;
 
+/// ms in which a message has said all: a multiplexed one sends one selection each cycle time.
+unsigned cycle_of(const wire::described::FrameLayout& frame) {
+  return frame.message.cycle_ms * static_cast<unsigned>(frame.turns.size());
+}
+
 }  // namespace
 
 std::vector<Turn> turns_of(const wire::described::Description& description) {
   const auto& frames = description.frames->frames;
   unsigned shortest_ms = 0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const unsigned cycle_ms = frames[i].message.cycle_ms;
+    const unsigned cycle_ms = cycle_of(frames[i]);
     if (description.plan.messages[i].emulated && cycle_ms != 0)
       shortest_ms = shortest_ms == 0 ? cycle_ms : std::min(shortest_ms, cycle_ms);
   }
   std::vector<Turn> turns;
   for (const auto& frame : frames) {
-    const unsigned cycle_ms = frame.message.cycle_ms;
+    const unsigned cycle_ms = cycle_of(frame);
     turns.push_back(cycle_ms > shortest_ms ? Turn{cycle_ms, std::max(1u, shortest_ms)} : Turn{});
   }
   return turns;

@@ -14,6 +14,8 @@ namespace drydock::emulate {
 struct Turn {
   std::uint64_t cycle = 1, shortest = 1;  ///< cycle / shortest samples from one to the next
 
+  double samples() const { return static_cast<double>(cycle) / static_cast<double>(shortest); }
+
   bool has(std::uint64_t sample) const {
     return sample == 0 || sample * shortest / cycle != (sample - 1) * shortest / cycle;
   }

@@ -149,6 +149,19 @@ std::string changed(std::string_view from, std::string_view to) {
   return text.replace(at, from.size(), to);
 }
 
+/// A subset of canboat's file has not all of its lookups.
+TEST(DecodeByPgns, AFieldOfALookupThatTheTableDoesNotHaveIsANumberAndTheLookupIsNamed) {
+  const TemporaryFile table(
+      changed("\"LookupEnumeration\": \"MAKER\"", "\"LookupEnumeration\": \"NONE\""));
+  const Decoded with = by_pgns(folder + "table.json", folder + "frames.log");
+  const Decoded without = by_pgns(table.path(), folder + "frames.log");
+  EXPECT_EQ(without.exit_code, 0) << without.err;
+  EXPECT_THAT(without.err,
+              HasSubstr("numbers without a label, as the table does not have their lookups: NONE"));
+  ASSERT_EQ(without.lines().size(), with.lines().size());
+  EXPECT_NE(without.out, with.out) << "one label is gone";
+}
+
 void refused(std::string_view text, std::string_view why) {
   const TemporaryFile file(text);
   const Decoded decoded = by_pgns(file.path(), folder + "frames.log");
@@ -170,8 +183,6 @@ TEST(DecodeByPgns, ABadTableIsRefusedWithThePlace) {
           "PGNs[1]: priority has BitOffset 33, but the fields before it have 32 bits");
   refused(changed("\"Id\": \"priority\"", "\"Id\": \"a \\\"b\""),
           "PGNs[1].Fields[2].Id: expected letters, digits and _");
-  refused(changed("\"LookupEnumeration\": \"MAKER\"", "\"LookupEnumeration\": \"NONE\""),
-          "PGNs[6].Fields[0].LookupEnumeration: no such lookup in the file");
   refused(changed("\"RepeatingFieldSet1CountField\": 5", "\"RepeatingFieldSet1CountField\": 6"),
           "PGNs[1].RepeatingFieldSet1CountField: expected a whole number from 1 to 5");
   refused(changed("\"LookupIndirectEnumerationFieldOrder\": 3",

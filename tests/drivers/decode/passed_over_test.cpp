@@ -2,8 +2,10 @@
 // family.
 #include <gmock/gmock.h>
 
+#include <cstdio>
 #include <map>
 #include <numeric>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -66,15 +68,43 @@ std::string ubx(unsigned char number, unsigned char id, const std::string& paylo
   return "\xB5\x62" + checked + char(a) + char(b);
 }
 
-TEST(PassedOver, UbxMessagesAreNamedByClassAndId) {
+TEST(PassedOver, UbxMessagesAreNamedAsUbloxNamesThem) {
   const std::string stream =
       ubx(0x0A, 0x09, "1234") + ubx(0x77, 0x01, "") + ubx(0x0A, 0x09, "5678");
-  EXPECT_THAT(passed_over("ubx", stream), ElementsAre(Pair("UBX 77-01", 1), Pair("UBX MON-09", 2)));
+  EXPECT_THAT(passed_over("ubx", stream), ElementsAre(Pair("UBX 77-01", 1), Pair("UBX MON-HW", 2)));
+  EXPECT_THAT(passed_over("ubx", ubx(0x01, 0x09, "") + ubx(0x06, 0x06, "") + ubx(0x29, 0x09, "") +
+                                     ubx(0x01, 0x7F, "")),
+              ElementsAre(Pair("UBX CFG-DAT", 1), Pair("UBX NAV-7F", 1), Pair("UBX NAV-ODO", 1),
+                          Pair("UBX NAV2-ODO", 1)));
+}
+
+/// can/sbgCan.dbc of the maker: every message has a name.
+TEST_F(Corpora, FramesOfAnSbgAreNamedAsItsDbcFileNamesThem) {
+  std::istringstream dbc(read_file(root_ / "dbc/files/sbgCan.dbc"));
+  std::string log, line;
+  std::set<std::string> names;
+  while (std::getline(dbc, line)) {
+    unsigned id = 0;
+    char name[64] = {};
+    if (std::sscanf(line.c_str(), "BO_ %u SBG_ECAN_MSG_%63[A-Z0-9_]", &id, name) != 2) continue;
+    char frame[64];
+    std::snprintf(frame, sizeof frame, "(1.0) can0 %03X#00\n", id);
+    log += frame;
+    names.insert(name);
+  }
+  const auto counts = passed_over("sbg", log);
+  EXPECT_GT(names.size(), 60u);
+  std::size_t unread = 0;
+  for (const auto& [name, count] : counts) {
+    unread += static_cast<std::size_t>(count);
+    EXPECT_EQ(names.count(name.substr(name.rfind(' ') + 1)), 1u) << name;
+  }
+  EXPECT_GT(unread, 50u);
 }
 
 TEST(PassedOver, ALineOfUbxAndNmeaNamesBoth) {
   EXPECT_THAT(passed_over("ubx+nmea0183", ubx(0x0A, 0x09, "") + sentence("GNGRS,1")),
-              ElementsAre(Pair("$GNGRS", 1), Pair("UBX MON-09", 1)));
+              ElementsAre(Pair("$GNGRS", 1), Pair("UBX MON-HW", 1)));
 }
 
 /// 7F 7F, length, number of data types, their offsets, the data types, the sum of all bytes.
@@ -141,6 +171,18 @@ TEST(PassedOver, PgnsAreNamedWithNumberAndSubject) {
   EXPECT_THAT(passed_over("aceinna", log),
               ElementsAre(Pair("PGN 127250", 1), Pair("PGN 130306 wind", 1), Pair("PGN 130394", 1),
                           Pair("PGN 65361 proprietary", 1), Pair("identifier 123", 1)));
+}
+
+/// SAE J1939-71 and -73.
+TEST(PassedOver, ParameterGroupsOfJ1939AreNamed) {
+  const std::string log =
+      "(1.0) can0 0CF00400#0102030405060708\n"
+      "(1.1) can0 18FECA00#0102030405060708\n"
+      "(1.2) can0 18FDC500#0102030405060708\n";
+  EXPECT_THAT(
+      passed_over("microstrain-mv5", log),
+      ElementsAre(Pair("PGN 61444 engine controller 1", 1), Pair("PGN 64965 ECU identification", 1),
+                  Pair("PGN 65226 active trouble codes", 1)));
 }
 
 TEST(PassedOver, FramesOfOtherNetworksAreNamedByIdentifier) {

@@ -104,6 +104,8 @@ TEST(DescribedHnav, TheSampleOfItsMakerReadsAsItsDecoderSays) {
   const auto& fix = sample<GnssFix>(position, 0);
   EXPECT_NEAR(fix.position->latitude_rad / degree, 51.33064, 5e-6);
   EXPECT_NEAR(fix.position->longitude_rad / degree, -0.83569, 5e-6);
+  // CEP50 1.9952 m is 1.1774 sigma of each axis (Rayleigh).
+  EXPECT_NEAR(*fix.horizontal_accuracy_m, 1.9952174 / 1.1774100 * std::numbers::sqrt2, 1e-5);
   const auto depth = heard_of_fixture("hnav-depth.toml", "hnav.bin");
   EXPECT_NEAR(sample<DepthSample>(depth, 0).depth_m.value(), -0.135, 1e-9);
 }
@@ -153,6 +155,65 @@ TEST(DescribedStdbin, APositionKeepsTheReferenceOfItsHeight) {
   const auto& geoid = sample<GnssFix>(heard, 1);
   EXPECT_NEAR(geoid.position->longitude_rad / degree, 5.5, 1e-12);
   EXPECT_DOUBLE_EQ(geoid.mean_sea_level_height_m.value(), -2.5);
+}
+
+/// A telegram with these navigation blocks, by the maker's list of their sizes.
+std::string stdbin_telegram(unsigned version, std::uint32_t blocks) {
+  constexpr std::size_t sizes[] = {12, 12, 16, 8,  12, 12, 12, 21, 16, 12, 12, 8,  8,  4,  8, 16,
+                                   12, 4,  4,  12, 4,  12, 12, 12, 8,  12, 16, 12, 12, 12, 12};
+  std::string navigation;
+  const auto put = [](std::string& to, std::uint64_t value, int bytes) {
+    while (bytes-- > 0) to += static_cast<char>(value >> (8 * bytes));
+  };
+  for (unsigned bit = 0; bit < std::size(sizes); ++bit) {
+    if ((blocks >> bit & 1) == 0) continue;
+    if (bit != 7) {
+      navigation.append(sizes[bit], '\x55');
+      continue;
+    }
+    put(navigation, std::bit_cast<std::uint64_t>(43.25), 8);
+    put(navigation, std::bit_cast<std::uint64_t>(5.5), 8);
+    navigation += '\1';
+    put(navigation, std::bit_cast<std::uint32_t>(12.5F), 4);
+  }
+  std::string whole = "IX";
+  put(whole, version, 1);
+  put(whole, blocks, 4);
+  if (version >= 3) put(whole, 0, 4);
+  put(whole, 0, 4);
+  if (version >= 4) put(whole, navigation.size(), 2);
+  put(whole, whole.size() + 2 + 8 + navigation.size() + 4, 2);
+  put(whole, 12345, 4);
+  put(whole, 7, 4);
+  whole += navigation;
+  std::uint32_t sum = 0;
+  for (const char c : whole) sum += static_cast<unsigned char>(c);
+  put(whole, sum, 4);
+  return whole;
+}
+
+TEST(DescribedStdbin, APositionIsFoundBehindAnyBlocks) {
+  for (const unsigned version : {2u, 3u, 4u, 5u})
+    for (const std::uint32_t blocks : {0x80u, 0x81u, 0x181u, 0x1FFu, 0x2FFu, 0x7FFFFFFFu}) {
+      const auto driver = driver_of(shipped("stdbin-position.toml"));
+      Heard heard;
+      receive(*driver, stdbin_telegram(version, blocks), Stamp{}, heard);
+      ASSERT_EQ(heard.all.size(), 1u) << version << " " << std::hex << blocks;
+      const auto& fix = sample<GnssFix>(heard, 0);
+      EXPECT_NEAR(fix.position->latitude_rad / degree, 43.25, 1e-12);
+      EXPECT_NEAR(fix.position->longitude_rad / degree, 5.5, 1e-12);
+      EXPECT_EQ(fix.ellipsoidal_height_m, 12.5);
+      EXPECT_EQ(driver->counters().bytes_skipped, 0u);
+    }
+}
+
+TEST(DescribedStdbin, ATelegramWithoutAPositionIsNoDamagedOne) {
+  const auto driver = driver_of(shipped("stdbin-position.toml"));
+  Heard heard;
+  receive(*driver, stdbin_telegram(3, 0x101), Stamp{}, heard);
+  EXPECT_TRUE(heard.all.empty());
+  EXPECT_EQ(driver->counters().frames, 1u);
+  EXPECT_EQ(driver->counters().bytes_skipped, 0u);
 }
 
 TEST(DescribedCompass, WhatNoCompassSaysIsRefusedAndTold) {

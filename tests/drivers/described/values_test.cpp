@@ -114,6 +114,15 @@ TEST(DescribedValues, DigiquartzGivesAbsolutePressureFromPsi) {
   EXPECT_NEAR(value_of(record, "pressure_pa"), 101'325.0, 0.01);  // one atmosphere is 14.6959 psi
 }
 
+TEST(DescribedValues, ADigiquartzMayPutItsTimeInFrontOrItsTemperatureBehind) {
+  const auto digiquartz = shipped("digiquartz.toml");
+  const auto stamped = decoded(digiquartz, "*0001,07/04/26 12:00:00.000,14.6959494\r\n");
+  EXPECT_NEAR(value_of(stamped, "pressure_pa"), 101'325.0, 0.01);
+  const auto both = decoded(digiquartz, "*0001,14.6959494,21.5\r\n");
+  EXPECT_NEAR(value_of(both, "pressure_pa"), 101'325.0, 0.01);
+  EXPECT_EQ(value_of(both, "temperature"), 21.5);
+}
+
 TEST(DescribedValues, KellerGivesBarsAndRefusesAFailedChannel) {
   using P = wire::described::DescribedCodec;
   const P keller(shipped("keller.toml"));

@@ -165,13 +165,51 @@ TEST(Nmea2000, EncodesTheNavigationMessagesToTheBytesThatPythonPacks) {
 }
 
 TEST(Nmea2000, APositionFixIsEncodedToTheBytesThatPythonPacks) {
-  GnssPosition fix{8, 25,  1795317945678900000, radians(42.5), radians(-71.25), 12.345678, 3, 1,
-                   9, 1.1, std::nullopt,        -33.63};
+  GnssPosition fix{.source = 8,
+                   .sequence = 25,
+                   .utc_ns = 1795317945678900000,
+                   .latitude_rad = radians(42.5),
+                   .longitude_rad = radians(-71.25),
+                   .altitude_m = 12.345678,
+                   .system = 3,
+                   .method = 1,
+                   .satellites = 9,
+                   .horizontal_dop = 1.1,
+                   .position_dop = std::nullopt,
+                   .geoid_height_m = -33.63,
+                   .integrity = std::nullopt,
+                   .reference_stations = std::nullopt,
+                   .station_system = std::nullopt,
+                   .station_id = std::nullopt,
+                   .station_age_s = std::nullopt};
   std::array<std::uint8_t, GnssPosition::bytes> data;
   encode_payload(fix, std::span{data});
   EXPECT_EQ(hex_of(data),
             "192B5115CD5B0700808A8D3FE7E50500C0886506B11CF64E61BC000000000013"
             "FF096E00FF7FDDF2FFFFFF");
+}
+
+/// Layout of canboat's database: integrity in the low bits of byte 32, the number of stations in
+/// byte 42, then of each the system, twelve bits of identifier and the age in .01 s.
+TEST(Nmea2000, APositionFixSaysItsIntegrityAndItsReferenceStation) {
+  std::array<std::uint8_t, 47> message{};
+  message[31] = 0x23;  // GPS and GLONASS, DGNSS
+  message[32] = 0xFD;
+  message[42] = 1;
+  message[43] = 0x21;  // system 1, identifier 582h
+  message[44] = 0x58;
+  message[45] = 0xC2;  // 4.5 s
+  message[46] = 0x01;
+  const auto fix = decode<GnssPosition>(8, message).value();
+  EXPECT_EQ(fix.integrity, 1);
+  EXPECT_EQ(fix.reference_stations, 1);
+  EXPECT_EQ(fix.station_system, 1);
+  EXPECT_EQ(fix.station_id, 0x582);
+  EXPECT_NEAR(fix.station_age_s.value(), 4.5, 1e-12);
+  message[42] = 0;
+  const auto alone = decode<GnssPosition>(8, Bytes(message).first(43)).value();
+  EXPECT_EQ(alone.reference_stations, 0);
+  EXPECT_FALSE(alone.station_system || alone.station_id || alone.station_age_s);
 }
 
 TEST(Nmea2000, TheHighestValueOfTwoBitsAndTheTwoHighestOfFourBitsAreNoNumbers) {

@@ -33,6 +33,24 @@ TEST(Program, MonitorShowsTheMessagesOfADescribedBus) {
   EXPECT_THAT(shown.output, HasSubstr("\"type\":\"rate_of_turn\""));
 }
 
+TEST(Program, DescribePrintsThePageAndTheDbcFileOfADescription) {
+  const auto page = drydock("describe --page valeport-vat.toml");
+  EXPECT_EQ(page.exit_code, 0) << page.output;
+  EXPECT_THAT(page.output, HasSubstr("Begins with `$PRVAT,`."));
+  EXPECT_THAT(page.output, HasSubstr("`pressure_pa`"));
+  const auto dbc = drydock("describe --dbc xsens-dbc.toml");
+  EXPECT_EQ(dbc.exit_code, 0) << dbc.output;
+  EXPECT_THAT(dbc.output, HasSubstr("BO_ 50 rate_of_turn: 6 "));
+  const Folder folder;
+  std::ofstream(folder / "s.dbc") << dbc.output;
+  const auto checked = drydock("check " + (folder / "s.dbc").string());
+  EXPECT_EQ(checked.exit_code, 0) << checked.output;
+  const auto bytes = drydock("describe --dbc valeport-vat.toml");
+  EXPECT_EQ(bytes.exit_code, 2);
+  EXPECT_THAT(bytes.output, HasSubstr("valeport-vat.toml describes bytes; allowed: a description "
+                                      "of CAN frames"));
+}
+
 TEST(Program, AMisspelledDescriptionIsToldByEveryCommandThatTakesOne) {
   const std::string file = sentences;
   for (const std::string& command : {"monitor file:" + file, "decode " + file, "replay " + file,
