@@ -24,7 +24,7 @@ std::vector<std::string> names_beside(const fs::path& path) {
 }
 
 void add_shipped(std::vector<std::string>& names) {
-  for (const auto kind : {rigs, missions, sensors, vehicles})
+  for (const auto kind : kinds_of_files)
     for (const auto& file : shipped_files(kind)) names.push_back(file.stem().string());
 }
 

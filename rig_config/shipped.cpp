@@ -60,7 +60,9 @@ std::vector<std::filesystem::path> shipped_files(std::string_view kind) {
 }
 
 std::string find_shipped(const std::string& word, std::string_view kind) {
-  if (word.empty() || is_there(word) || shipped_folder().empty()) return word;
+  if (word.empty() || is_there(word)) return word;
+  if (is_there(word + ".toml")) return word + ".toml";
+  if (shipped_folder().empty()) return word;
   const auto folder = shipped_folder() / "rig_config" / kind;
   for (const auto& path : {folder / (word + ".toml"), folder / word, shipped_folder() / word})
     if (is_there(path)) return path.string();

@@ -31,12 +31,14 @@ using measurement::Stamp;
 constexpr std::chrono::milliseconds tick_period{200};
 constexpr std::chrono::seconds absent_after{3};
 
-bool nobody_there(const std::vector<const device::Device*>& devices) {
-  return std::ranges::all_of(devices, [](const device::Device* device) {
-    const bool emulated =
-        provenance_of(device->options().link) == measurement::Provenance::emulated;
-    return emulated && device->messages() == 0;
-  });
+/// Bytes that no driver understands come from somebody, too.
+bool nobody_there(const shell::RealTime& shell) {
+  for (std::size_t i = 0; i < shell.size(); ++i) {
+    const auto& device = shell.device(i);
+    const bool emulated = provenance_of(device.options().link) == measurement::Provenance::emulated;
+    if (!emulated || device.messages() > 0 || shell.health(i).stream.bytes_in > 0) return false;
+  }
+  return true;
 }
 
 void print_health(const shell::RealTime& shell) {
@@ -110,11 +112,10 @@ class Drive {
     return standing;
   }
 
-  /// Once, when the first seconds brought nothing from a rig that only has emulated devices.
+  /// Once, when the first seconds, or a shorter run, brought nothing from a rig that only has
+  /// emulated devices.
   void tell_absence() {
-    if (told_absence_ || link::steady_now() - start_ < absent_after) return;
-    told_absence_ = true;
-    if (!nobody_there(host_.devices())) return;
+    if (std::exchange(told_absence_, true) || !nobody_there(host_.shell())) return;
     status_line_.wipe();
     print_line(
         "nothing is there: all devices of this rig are emulated; `drydock emulate` makes them, or "
@@ -128,7 +129,7 @@ class Drive {
       const auto now = link::now();
       followers_.tick(now);
       service_manager_.alive();
-      tell_absence();
+      if (link::steady_now() - start_ >= absent_after) tell_absence();
       keep_ticking();
     });
   }
@@ -138,6 +139,7 @@ class Drive {
     service_manager_.stopping();
     all_streaming_ = host_.all_streaming();
     status_line_.wipe();
+    tell_absence();
     print_health(host_.shell());
     timer_.cancel();
     host_.stop();

@@ -13,6 +13,11 @@ constexpr std::chrono::seconds period{1};
 /// An estimate that is older is not valid: the longest gap of an IMU that its estimators bridge.
 constexpr std::chrono::nanoseconds oldest = std::chrono::milliseconds{500};
 
+/// An estimate that came by the bus has no bounds: its estimator tells them in a status of its own.
+bool promises(const bus::Integrity& integrity) {
+  return !integrity.valid || integrity.roll_bound_rad > 0;
+}
+
 bus::DeviceStatus status_of(const std::string& name, const bus::Integrity& integrity) {
   bus::DeviceStatus status{.level = integrity.valid ? bus::Level::ok : bus::Level::warn,
                            .name = name + "/integrity",
@@ -37,9 +42,10 @@ IntegrityStatuses::IntegrityStatuses(std::vector<std::string> estimators) {
 }
 
 std::optional<bus::DeviceStatus> IntegrityStatuses::take(const Estimate& estimate) {
+  if (!promises(estimate.integrity)) return {};
   Told& told = told_.at(estimate.estimator);
-  const auto at = estimate.attitude.valid_at;
   const bool valid = estimate.integrity.valid;
+  const auto at = estimate.attitude.valid_at;
   if (told.estimate) told.pace = at - *told.estimate;
   told.estimate = at;
   told.came = now_;

@@ -16,7 +16,7 @@ class IntegrityStatuses {
   /// `estimators`: their names, by `Estimate::estimator`.
   explicit IntegrityStatuses(std::vector<std::string> estimators);
 
-  /// Empty: there is nothing new.
+  /// Empty: there is nothing new, or the estimate came without bounds.
   std::optional<bus::DeviceStatus> take(const Estimate& estimate);
 
   /// An estimator that gives none any more is not valid: calls `tell(status)` for each whose last

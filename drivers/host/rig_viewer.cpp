@@ -55,6 +55,7 @@ RigViewer::RigViewer(boost::asio::any_io_executor executor, const Viewed& viewed
       topics_(sink_, viewed.devices, with_truth(viewed.estimators), with_truth(viewed.navigators),
               viewed.innovations),
       findings_(viewed.devices),
+      integrity_(viewed.estimators),
       truth_(viewed.estimators.size()),
       last_sample_(viewed.devices.size()),
       last_attitude_(viewed.estimators.size() + 1),
@@ -80,12 +81,19 @@ bool RigViewer::due(Stamp& last, Stamp now) const {
 }
 
 void RigViewer::on_measurement(const measurement::Measurement& measurement) {
+  look(measurement::origin_of(measurement).received_at);
   if (const auto* imu = std::get_if<measurement::ImuSample>(&measurement)) {
     const auto& origin = imu->origin;
     if (origin.device < last_sample_.size() && !due(last_sample_[origin.device], origin.valid_at))
       return;
   }
   topics_.publish(measurement);
+}
+
+void RigViewer::on_estimate(const Estimate& estimate) {
+  show(estimate, estimate.estimator);
+  if (const auto status = integrity_.take(estimate))
+    topics_.publish({&*status, 1}, estimate.attitude.valid_at);
 }
 
 void RigViewer::show(const Estimate& estimate, std::size_t index) {

@@ -6,6 +6,7 @@
 #include "drivers/bus/cdr/cdr_publisher.hpp"
 #include "drivers/host/finding_status.hpp"
 #include "drivers/host/follower.hpp"
+#include "drivers/host/integrity_status.hpp"
 #include "drivers/live/live_topics.hpp"
 #include "rig_config/rig.hpp"
 
@@ -47,12 +48,13 @@ class RigViewer final : public Follower {
   std::string url() const;  ///< for a browser; includes the token if there is one
 
   void on_measurement(const measurement::Measurement& measurement) override;
-  void on_estimate(const Estimate& estimate) override { show(estimate, estimate.estimator); }
+  void on_estimate(const Estimate& estimate) override;
   void on_truth(const Estimate& truth) override { show(truth, truth_); }
   void on_innovation(const bus::Innovation& innovation) override { topics_.publish(innovation); }
   void on_health(const HealthReport& health, Stamp now) override {
     topics_.publish(health.statuses(), now);
     if (!findings_.open().empty()) topics_.publish(findings_.open(), now);
+    look(now);
   }
   void on_finding(const diagnosis::Finding& finding) override {
     const auto status = findings_.take(finding);
@@ -66,12 +68,19 @@ class RigViewer final : public Follower {
  private:
   void show(const Estimate& estimate, std::size_t index);
   bool due(Stamp& last, Stamp now) const;
+  /// Shows which estimates are too old by now.
+  void look(Stamp now) {
+    integrity_.look(now, [&](const bus::DeviceStatus& status) {
+      topics_.publish({&status, 1}, now);
+    });
+  }
 
   live::ServerOptions options_;
   live::Server server_;
   live::LiveTopics sink_;
   bus::CdrPublisher topics_;
   FindingStatuses findings_;
+  IntegrityStatuses integrity_;
   std::size_t truth_;               ///< the truth is shown as one more estimator
   std::vector<bus::Fault> faults_;  ///< in force
   Stamp faults_told_{};

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "drivers/host/follower.hpp"
+#include "drivers/host/redrawn_lines.hpp"
 #include "drivers/shell/real_time.hpp"
 
 namespace drydock::host {
@@ -14,11 +15,12 @@ struct RunStanding {
   std::optional<std::uint64_t> recorded;                 ///< bytes; empty: no recording
   std::vector<std::pair<std::string, double>> rates_hz;  ///< by device
 };
-/// Cut at `width` columns.
-std::string standing_text(const RunStanding& standing, std::size_t width);
+std::vector<std::string> rate_words(const RunStanding& standing);  ///< "dvl 5.00 Hz"
+std::vector<std::string> standing_lines(const RunStanding& standing, std::size_t width);
 
-/// Keeps one line with the standing below the lines that others print, on a terminal that can erase
-/// a line. Elsewhere it prints nothing. Added first, so that it makes room for the others' lines.
+/// Keeps a line with the standing, or several on a narrow terminal, below the lines that others
+/// print, on a terminal that can erase a line. Elsewhere it prints nothing. Added first, so that it
+/// makes room for the others' lines.
 class StatusLine final : public Follower {
  public:
   using Ask = std::function<RunStanding()>;
@@ -26,13 +28,13 @@ class StatusLine final : public Follower {
 
   void on_state(const device::Device&, const device::Transition&) override { wipe(); }
   void on_finding(const diagnosis::Finding&) override { wipe(); }
-  void tick(Stamp now) override;  ///< draws the line, twice a second
-  void wipe();
+  void tick(Stamp now) override;  ///< draws the lines, twice a second
+  void wipe() { lines_.wipe(); }
 
  private:
   Ask ask_;
   bool terminal_;
-  bool drawn_ = false;
+  RedrawnLines lines_{stdout};
   Stamp next_{};
 };
 

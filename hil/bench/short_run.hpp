@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "hil/summary/summary.hpp"
 
@@ -10,5 +11,8 @@ namespace drydock::bench {
 /// `asked_s` is what --for says, 0: nothing.
 std::optional<summary::Verdict> verdict_of_short_run(const summary::Summary& summary,
                                                      double asked_s);
+
+/// "a run of 2651.0 s, not of 3600000 s: a signal ended it".
+std::string short_run_in_words(const summary::Summary& summary, double asked_s);
 
 }  // namespace drydock::bench

@@ -14,6 +14,7 @@
 #include "hil/campaign/runs/one_run.hpp"
 #include "hil/campaign/slurm/run_shard.hpp"
 #include "hil/campaign/slurm/slurm_engine.hpp"
+#include "hil/campaign/slurm/slurm_jobs.hpp"
 #include "hil/study/run/study_progress.hpp"
 
 namespace drydock::campaign {
@@ -66,6 +67,7 @@ int run_campaign(const CampaignOptions& options, std::FILE* out, std::FILE* erro
     const auto config = read_campaign(options.file, errors);
     return config ? run_only(*config, options, out, errors) : terminal::exit_usage;
   }
+  if (options.slurm && !options.resume) largest_array();  // without Slurm nothing is begun
   const auto campaign = open_campaign(options, errors);
   if (!campaign) return terminal::exit_usage;
   const CoordinatorLock lock(campaign->out);

@@ -27,7 +27,9 @@ Problems check_vehicle(const rig_config::VehicleConfig& config, const std::strin
 }
 
 /// First the problems of the file as such, then those of what it describes.
-Problems problems_of(const std::string& file) {
+Problems problems_of(const std::string& file, const CheckOther& other) {
+  if (other)
+    if (auto problems = other(file)) return std::move(*problems);
   Problems problems = rig_config::check_file(file, load_options());
   if (!problems.empty()) return problems;
   if (const auto rig = rig_config::load_rig(file, load_options())) return check_rig(*rig);
@@ -61,14 +63,14 @@ rig_config::Loaded<rig_config::Rig> load_sound_rig(const std::string& path, Use 
   return rig;
 }
 
-int check(const std::vector<std::string>& files, std::FILE* out) {
+int check(const std::vector<std::string>& files, std::FILE* out, const CheckOther& other) {
   bool sound = true;
   for (const std::string& file : files) {
     if (is_dbc(file)) {
       sound = check_dbc(file, out) && sound;
       continue;
     }
-    const Problems problems = problems_of(file);
+    const Problems problems = problems_of(file, other);
     for (const auto& problem : problems)
       fmt::print(out, "{}\n", text::printable(to_string(problem)));
     if (problems.empty()) {

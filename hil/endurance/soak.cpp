@@ -128,8 +128,8 @@ int soak(rig_config::Rig rig, const SoakOptions& options, std::FILE* out) {
   run.followers = {&watch};
   const summary::Summary summary = bench::run_lockstep(rig, run);
   auto troubles = troubles_of(summary, watch);
-  if (const auto late = bench::verdict_of_short_run(summary, run.duration_s))
-    troubles.push_back(fmt::format("a run of {} s, not of {} s", late->measured, late->expected));
+  if (bench::verdict_of_short_run(summary, run.duration_s))
+    troubles.push_back(bench::short_run_in_words(summary, run.duration_s));
   print(summary, watch, troubles, out);
   if (!options.json.empty()) report::write_file(options.json, json_of(summary, watch, troubles));
   if (!options.report.empty())

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 
@@ -13,20 +13,35 @@
 namespace drydock::example {
 namespace {
 
-constexpr std::array kinds{rig_config::rigs, rig_config::missions, rig_config::sensors,
-                           rig_config::vehicles};
+using rig_config::kinds_of_files;
 
 constexpr std::size_t widest = 90;
 
-/// The first sentence of the comment at the head of a file.
+/// Behind the first full stop outside brackets after which no small letter or figure goes on: that
+/// of
+/// "(Lee et al. 2010)" is none.
+std::size_t end_of_sentence(const std::string& text) {
+  int open = 0;
+  for (std::size_t i = 0; i + 2 < text.size(); ++i) {
+    open += (text[i] == '(') - (text[i] == ')');
+    const auto next = static_cast<unsigned char>(text[i + 2]);
+    const bool goes_on = std::islower(next) != 0 || std::isdigit(next) != 0;
+    if (open == 0 && text.compare(i, 2, ". ") == 0 && !goes_on) return i;
+  }
+  return text.find_last_not_of(". ") + 1;
+}
+
+/// What a file says first: the first sentence of the comment at its head; else its title.
 std::string first_sentence(const std::filesystem::path& path) {
+  constexpr std::string_view title = "title = \"";
   std::ifstream in(path);
   std::string sentence;
-  for (std::string line; std::getline(in, line) && sentence.find(". ") == std::string::npos;) {
+  for (std::string line; std::getline(in, line);) {
     if (line.starts_with("# ")) sentence += line.substr(2) + ' ';
     if (!line.starts_with("#") && !sentence.empty()) break;
+    if (line.starts_with(title)) return line.substr(title.size(), line.rfind('"') - title.size());
   }
-  sentence = sentence.substr(0, sentence.find(". "));
+  sentence.resize(end_of_sentence(sentence));
   if (sentence.size() <= widest) return sentence;
   return sentence.substr(0, sentence.rfind(' ', widest)) + " ...";
 }
@@ -49,7 +64,7 @@ int nothing_shipped(std::FILE* err) {
 
 int list(std::FILE* out, std::FILE* err) {
   if (rig_config::shipped_folder().empty()) return nothing_shipped(err);
-  for (const auto kind : kinds) {
+  for (const auto kind : kinds_of_files) {
     const std::string folder(kind);
     fmt::print(out, "{}\n", folder);
     for (const auto& path : rig_config::shipped_files(kind))
@@ -61,7 +76,7 @@ int list(std::FILE* out, std::FILE* err) {
 
 int show(const std::string& name, std::FILE* out, std::FILE* err) {
   if (rig_config::shipped_folder().empty()) return nothing_shipped(err);
-  for (const auto kind : kinds)
+  for (const auto kind : kinds_of_files)
     for (const auto& path : rig_config::shipped_files(kind)) {
       if (path.stem() != name && path.filename() != name) continue;
       std::ifstream in(path, std::ios::binary);
@@ -70,7 +85,7 @@ int show(const std::string& name, std::FILE* out, std::FILE* err) {
       return terminal::exit_success;
     }
   std::vector<std::string> names;
-  for (const auto kind : kinds)
+  for (const auto kind : kinds_of_files)
     for (const auto& path : rig_config::shipped_files(kind)) names.push_back(path.stem().string());
   fmt::print(err, "example: no shipped file is named '{}'{}; drydock example lists them\n", name,
              rig_config::did_you_mean(name, names));

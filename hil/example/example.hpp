@@ -5,8 +5,8 @@
 
 namespace drydock::example {
 
-/// Prints the shipped rigs, missions, sensors and vehicles, each with what its file says first.
-/// Returns the exit code.
+/// Prints the shipped rigs, missions, sensors, vehicles, descriptions and campaigns, each with what
+/// its file says first. Returns the exit code.
 int list(std::FILE* out, std::FILE* err);
 
 /// Prints one of them, by name. Returns the exit code.

@@ -13,13 +13,20 @@ namespace {
 /// known.
 std::string bash_words(const CLI::App& command, const CLI::Option& option) {
   switch (rig_words_of(command, option)) {
-    case RigWords::devices: return R"sh("$(_drydock_faults "${COMP_WORDS[2]}")")sh";
+    case RigWords::devices: return R"sh("$(_drydock_devices "${COMP_WORDS[2]}")")sh";
+    case RigWords::pairs: return R"sh("$(_drydock_faults "${COMP_WORDS[2]}" pairs)")sh";
     case RigWords::faults: return R"sh("$(_drydock_faults "${COMP_WORDS[2]}" all)")sh";
     case RigWords::none: break;
   }
   auto values = values_of(option);
   std::ranges::move(shipped_names_of(option), std::back_inserter(values));
   return values.empty() ? "" : "'" + joined(values) + "'";
+}
+
+/// The shell function that offers these words.
+std::string_view bash_offer(const CLI::App& command, const CLI::Option& option) {
+  if (rig_words_of(command, option) == RigWords::pairs) return "_drydock_pair";
+  return takes_list(option) ? "_drydock_list" : "_drydock_word";
 }
 
 /// The arms of the shell's `case "command previous-word"` for one command.
@@ -29,8 +36,7 @@ std::string bash_values(const CLI::App& command) {
     if (is_flag(*option)) continue;
     const auto key = fmt::format("'{} {}'", command.get_name(), long_name(*option));
     if (const auto words = bash_words(command, *option); !words.empty()) {
-      arms += fmt::format("    {}) {} {}", key,
-                          takes_list(*option) ? "_drydock_list" : "_drydock_word", words);
+      arms += fmt::format("    {}) {} {}", key, bash_offer(command, *option), words);
       if (!shipped_names_of(*option).empty()) arms += "; COMPREPLY+=($(compgen -f -- \"$cur\"))";
       arms += "; return ;;\n";
     } else if (!takes_file(*option)) {
@@ -55,7 +61,10 @@ std::string bash_places(const CLI::App& command) {
   int place = 0;
   for (const auto* option : positionals_of(command)) {
     const auto key = fmt::format("'{} {}'", command.get_name(), place++);
-    if (const auto values = values_of(*option); !values.empty())
+    if (rig_words_of(command, *option) == RigWords::devices)
+      arms += fmt::format(
+          "    {}) _drydock_word \"$(_drydock_devices \"${{words[0]}}\")\"; return ;;\n", key);
+    else if (const auto values = values_of(*option); !values.empty())
       arms += fmt::format("    {}) COMPREPLY=($(compgen -W '{}' -- \"$cur\")); return ;;\n", key,
                           joined(values));
     else if (const auto names = shipped_names_of(*option); !names.empty())
@@ -79,11 +88,17 @@ std::string arm(const CLI::App& command, const std::string& does) {
 
 constexpr std::string_view script =
     R"sh(# bash completion for drydock: source <(drydock completion bash)
-# The devices of a rig, or the faults of one of them or of all: drydock fault RIG words says both.
+# The devices of a rig, the faults of one of them or of all, or pairs of both: drydock fault RIG words says it.
 _drydock_faults() {
   drydock fault "$1" words 2>/dev/null | awk -v device="$2" '
     /^[^ ]/ { here = $1; if (device == "") print $1 }
+    /^  [a-z]/ && device == "pairs" { print here ":" $1 }
     /^  [a-z]/ && (here == device || device == "all") && !said[$1]++ { print $1 }'
+}
+# The devices of a rig or of a recording.
+_drydock_devices() {
+  local devices=$(_drydock_faults "$1")
+  echo "${devices:-$(drydock info "$1" 2>/dev/null | sed -n 's/^link .*: //p' | tr -d ,)}"
 }
 # The word that is typed, out of these; the last of a list with commas.
 _drydock_word() { COMPREPLY=($(compgen -W "$1" -- "$cur")); }
@@ -93,10 +108,21 @@ _drydock_list() {
   COMPREPLY=($(compgen -P "$before" -W "$1" -- "${cur##*,}"))
   compopt -o nospace 2>/dev/null
 }
+# The same for DEVICE:FAULT. Bash takes the colon for the end of a word, and puts in what is behind it.
+_drydock_pair() {
+  COMPREPLY=($(compgen -W "$1" -- "$before_colon$cur"))
+  COMPREPLY=("${COMPREPLY[@]#$before_colon}")
+}
 _drydock() {
+  local before_colon=''
   local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
   local with_value='' i place=0 words=()
   COMPREPLY=()
+  if ((COMP_CWORD > 3)) && [[ $cur == : ]]; then
+    before_colon=$prev: cur='' prev=${COMP_WORDS[COMP_CWORD - 2]}
+  elif ((COMP_CWORD > 4)) && [[ $prev == : ]]; then
+    before_colon=${COMP_WORDS[COMP_CWORD - 2]}: prev=${COMP_WORDS[COMP_CWORD - 3]}
+  fi
   if ((COMP_CWORD == 1)); then
     COMPREPLY=($(compgen -W '@COMMANDS --help --version' -- "$cur"))
     return

@@ -76,21 +76,22 @@ std::vector<std::string> shipped_names_of(const CLI::Option& option) {
         Kind{"GRADE", rig_config::sensors}})
     if (name == argument) add_names(names, kind);
   if (name == "EXAMPLE")
-    for (const auto kind : {rig_config::rigs, rig_config::missions, rig_config::sensors,
-                            rig_config::vehicles, rig_config::campaigns})
-      add_names(names, kind);
+    for (const auto kind : rig_config::kinds_of_files) add_names(names, kind);
   return names;
 }
 
 bool takes_list(const CLI::Option& option) {
-  return option.get_delimiter() == ',' || option.check_lname("units");
+  return option.get_delimiter() == ',' || option.check_lname("units") ||
+         option.check_lname("estimators");
 }
 
 RigWords rig_words_of(const CLI::App& command, const CLI::Option& option) {
   const bool is_scorecard = command.get_name() == "scorecard";
   if (is_scorecard && option.check_lname("faults")) return RigWords::faults;
-  if ((is_scorecard && option.check_lname("devices")) ||
-      (command.get_name() == "characterize" && option.check_lname("device")))
+  if (is_scorecard && option.check_lname("also")) return RigWords::pairs;
+  if ((is_scorecard && option.check_lname("devices")) || option.check_lname("only") ||
+      (command.get_name() == "characterize" && option.check_lname("device")) ||
+      (command.get_name() == "topic" && option.get_positional() && option.get_name(true) == "NAME"))
     return RigWords::devices;
   return RigWords::none;
 }

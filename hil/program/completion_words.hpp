@@ -32,9 +32,9 @@ std::vector<std::string> shipped_names_of(const CLI::Option& option);
 /// True if the value is a list with commas: kn,bar.
 bool takes_list(const CLI::Option& option);
 
-/// What the shell asks the program for when it completes the values of an option: devices of the
-/// rig at hand, or words of their faults.
-enum class RigWords : std::uint8_t { none, devices, faults };
+/// What the shell asks the program for when it completes the values of an option or of a place:
+/// devices of the rig or recording at hand, words of their faults, or both as DEVICE:FAULT.
+enum class RigWords : std::uint8_t { none, devices, faults, pairs };
 RigWords rig_words_of(const CLI::App& command, const CLI::Option& option);
 
 }  // namespace drydock::program

@@ -6,12 +6,15 @@
 #include <charconv>
 #include <cstdlib>
 #include <iterator>
+#include <sstream>
 
 #include "drivers/bus/domain.hpp"
+#include "drivers/decode/decode.hpp"
 #include "drivers/text/printable.hpp"
 #include "hil/check/check_rig.hpp"
 #include "hil/fault/injector.hpp"
 #include "rig_config/load.hpp"
+#include "rig_config/rules/explain.hpp"
 #include "rig_config/shipped.hpp"
 
 namespace drydock::program {
@@ -37,6 +40,17 @@ void apply_environment(rig_config::Rig& rig) {
   for (const auto& problem : problems)
     fmt::print(stderr, "{}\n", text::printable(to_string(problem)));
   throw BadRig{};
+}
+
+/// " (did you mean 'pd0'?)" of a protocol that nobody has; else empty.
+std::string misspelled_protocol(const std::string& protocol) {
+  std::vector<std::string> known;
+  std::istringstream names(decode::decode_protocols());
+  for (std::string name; std::getline(names >> std::ws, name, ',');) known.push_back(name);
+  if (protocol.empty() || std::ranges::find(known, protocol) != known.end()) return {};
+  for (const auto& description : rig_config::built_in_descriptions())
+    known.emplace_back(description.name);
+  return rig_config::did_you_mean(protocol, known);
 }
 
 }  // namespace
@@ -66,7 +80,14 @@ void add_faults(rig_config::Rig& rig, const std::string& path) {
 }
 
 rig_config::DescriptionPtr load_protocol(const std::string& protocol) {
-  if (!rig_config::is_description(protocol)) return nullptr;
+  if (!rig_config::is_description(protocol)) {
+    if (const auto meant = misspelled_protocol(protocol); !meant.empty()) {
+      fmt::print(stderr, "--protocol: no driver speaks \"{}\"{}; allowed: {}\n",
+                 text::printable(protocol), meant, decode::decode_protocols());
+      throw BadRig{};
+    }
+    return nullptr;
+  }
   const auto description = rig_config::find_description(protocol, "");
   if (!description) refuse(description.error());
   return *description;

@@ -23,7 +23,8 @@ bool names_rig(const std::string& source);
 void add_faults(rig_config::Rig& rig, const std::string& path);
 
 /// The description that a name of a protocol means, from the working folder or built in. Null: the
-/// name is of the registry. Throws BadRig for a description that cannot be used.
+/// name is of the registry. Throws BadRig for a description that cannot be used, and for a name
+/// that looks like another one.
 rig_config::DescriptionPtr load_protocol(const std::string& protocol);
 
 }  // namespace drydock::program

@@ -30,8 +30,10 @@ int wrong_usage(const std::string& line) {
 }
 
 /// A write that failed is told by program::finish, which knows why.
-int failed(const std::exception& error) {
-  if (std::ferror(stdout) == 0) fmt::print(stderr, "drydock: {}\n", error.what());
+int failed(const CLI::App& app, const std::exception& error) {
+  const auto typed = app.get_subcommands();
+  const auto& name = typed.empty() ? app.get_name() : typed.front()->get_name();
+  if (std::ferror(stdout) == 0) fmt::print(stderr, "{}: {}\n", name, error.what());
   return terminal::exit_failed;
 }
 
@@ -53,7 +55,7 @@ int obey(CLI::App& app, program::Command& command, int argc, char** argv) try {
 } catch (const program::BadRig&) {
   return terminal::exit_usage;
 } catch (const std::exception& error) {
-  return failed(error);
+  return failed(app, error);
 }
 
 }  // namespace

@@ -80,7 +80,8 @@ std::string misspelled_option(const CLI::App& app, const CLI::ExtrasError& error
         command.get_name(), unknown.front(), words_of(command));
   if (!unknown.front().starts_with("--")) return error.what();
   const auto name = unknown.front().substr(0, unknown.front().find('='));
-  return std::string(error.what()) + rig_config::did_you_mean(name, names_of_options(command));
+  return fmt::format("{}: there is no option {}{}", command.get_name(), unknown.front(),
+                     rig_config::did_you_mean(name, names_of_options(command)));
 }
 
 }  // namespace drydock::program

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 #include "drivers/terminal/progress_bar.hpp"
 #include "drivers/text/printable.hpp"
@@ -26,15 +27,21 @@ void fill_closed_descriptors() {
     if (::fcntl(descriptor, F_GETFD) == -1 && errno == EBADF) ::open("/dev/null", flags);
 }
 
-/// A progress bar draws over its line, and no other sequence stays.
+/// A progress bar draws over its lines, and no other sequence stays.
 std::string shown(std::string_view text) {
   std::string out;
-  for (auto at = text.find(terminal::wipe_line); at != text.npos;
-       at = text.find(terminal::wipe_line)) {
-    out += text::printable_lines(text.substr(0, at)) + terminal::wipe_line;
-    text.remove_prefix(at + std::string_view(terminal::wipe_line).size());
+  while (!text.empty()) {
+    std::size_t at = text.size();
+    std::string_view kept;
+    for (const std::string_view wipe : {terminal::wipe_line, terminal::wipe_line_above}) {
+      const auto found = text.find(wipe);
+      if (found < at) std::tie(at, kept) = std::tie(found, wipe);
+    }
+    out += text::printable_lines(text.substr(0, at));
+    out += kept;
+    text.remove_prefix(at + kept.size());
   }
-  return out + text::printable_lines(text);
+  return out;
 }
 
 /// Nobody can be told that a message was lost.

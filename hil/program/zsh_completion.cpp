@@ -30,11 +30,19 @@ std::string zsh_action(const CLI::Option& option) {
                             : fmt::format("({})", joined(values));
 }
 
+std::string zsh_devices(bool list) {
+  return fmt::format("{{{} $(_drydock_devices $words[2])}}",
+                     list ? "_values -s , value" : "compadd --");
+}
+
 std::string zsh_value(const CLI::App& command, const CLI::Option& option) {
-  const auto words = rig_words_of(command, option);
-  if (words == RigWords::none) return zsh_action(option);
-  return fmt::format("{{_values -s , value $(_drydock_faults $words[2]{})}}",
-                     words == RigWords::faults ? " all" : "");
+  switch (rig_words_of(command, option)) {
+    case RigWords::devices: return zsh_devices(takes_list(option));
+    case RigWords::faults: return "{_values -s , value $(_drydock_faults $words[2] all)}";
+    case RigWords::pairs: return "{compadd -- $(_drydock_faults $words[2] pairs)}";
+    case RigWords::none: break;
+  }
+  return zsh_action(option);
 }
 
 /// `'(-o --output)'{-o,--output}'` if the option has a short name (zsh then offers one of both);
@@ -70,7 +78,7 @@ std::string zsh_command(const CLI::App& command) {
     text += " \\\n        " + zsh_option(command, *option);
   for (const auto* option : positionals_of(command))
     text += fmt::format(" \\\n        '{}:{}:{}'", option->get_items_expected_max() > 1 ? "*" : "",
-                        option->get_name(true), zsh_action(*option));
+                        option->get_name(true), zsh_value(command, *option));
   if (command.get_name() == "fault") text += zsh_fault_places(command);
   return text + " ;;\n";
 }
@@ -85,11 +93,17 @@ std::string zsh_completion(const CLI::App& app) {
     cases += zsh_command(*command);
   }
   return fmt::format(R"(#compdef drydock
-# The devices of a rig, or the faults of one of them or of all: drydock fault RIG words says both.
+# The devices of a rig, the faults of one of them or of all, or pairs of both: drydock fault RIG words says it.
 _drydock_faults() {{
   drydock fault "$1" words 2>/dev/null | awk -v device="$2" '
     /^[^ ]/ {{ here = $1; if (device == "") print $1 }}
+    /^  [a-z]/ && device == "pairs" {{ print here ":" $1 }}
     /^  [a-z]/ && (here == device || device == "all") && !said[$1]++ {{ print $1 }}'
+}}
+# The devices of a rig or of a recording.
+_drydock_devices() {{
+  local devices=$(_drydock_faults "$1")
+  echo "${{devices:-$(drydock info "$1" 2>/dev/null | sed -n 's/^link .*: //p' | tr -d ,)}}"
 }}
 _drydock() {{
   local -a commands=(

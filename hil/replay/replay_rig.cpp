@@ -111,7 +111,7 @@ class RigReplay {
     if (draws_over_lines()) {
       bench_->play(pace, [](double) { return true; });
     } else {
-      RecordingProgress progress("replay", err_);
+      RecordingProgress progress("replay", err_, [this] { return standing(); });
       bench_->play(pace, std::ref(progress));
     }
     close_outlets();
@@ -166,6 +166,17 @@ class RigReplay {
   int cannot_write() {
     fmt::print(err_, "replay: cannot write the output\n");
     return terminal::exit_failed;
+  }
+
+  /// What the bar tells besides.
+  host::RunStanding standing() const {
+    host::RunStanding standing;
+    if (recorder_) standing.recorded = recorder_->bytes();
+    for (const auto* device : bench_->devices()) {
+      const auto health = device->health(bench_->player().now());
+      standing.rates_hz.emplace_back(device->name(), health.rate_hz.value_or(0));
+    }
+    return standing;
   }
 
   /// True if a progress bar would overwrite the lines, because both go to the same terminal.

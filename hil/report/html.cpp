@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hil/report/figure_json.hpp"
+#include "hil/report/labelled_tables.hpp"
 #include "hil/report/page_parts.hpp"
 
 namespace drydock::report::html {
@@ -61,7 +62,7 @@ std::string page(const std::string& title, const std::string& body) {
       "<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport "
       "content='width=device-width,initial-scale=1'><title>Drydock: {0}</title><style>{1}</style>\n"
       "<h1>{0}</h1>{2}{3}</html>\n",
-      escaped(title), page_style(), body, plots ? drawn_by() : "");
+      escaped(title), page_style(), with_labels(body), plots ? drawn_by() : "");
 }
 
 }  // namespace drydock::report::html

@@ -14,7 +14,8 @@ std::string escaped(const std::string& text);
 /// all are NaN: of a quantity that is not given.
 std::string figure(const Figure& plot);
 
-/// A whole page, with the script if `body` has plots. `body` is HTML, `title` is text.
+/// A whole page, with the script if `body` has plots. `body` is HTML, `title` is text. The rows of
+/// tables with many columns become cards on a phone.
 std::string page(const std::string& title, const std::string& body);
 
 }  // namespace drydock::report::html

@@ -94,6 +94,22 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+/// The first name that the word begins up to an underscore, or else the only one that it begins at
+/// all. None: null.
+const std::string* begun_by(const std::string& lower, std::span<const std::string> known) {
+  constexpr std::size_t long_enough = 3;  // fewer letters begin too much
+  const std::string* begun = nullptr;
+  std::size_t count = 0;
+  for (const std::string& name : known) {
+    const auto other = in_lower_case(name);
+    if (other.starts_with(lower + "_")) return &name;
+    if (!other.starts_with(lower)) continue;
+    begun = &name;
+    ++count;
+  }
+  return count == 1 && lower.size() >= long_enough ? begun : nullptr;
+}
+
 std::string meant(const std::string& word) { return fmt::format(" (did you mean '{}'?)", word); }
 
 class Explanation {
@@ -199,9 +215,7 @@ std::string did_you_mean(const std::string& word, std::span<const std::string> k
   };
   const auto nearest = std::ranges::min_element(known, {}, distance);
   if (nearest != known.end() && distance(*nearest) <= 1) return meant(*nearest);
-  const auto longer = std::ranges::find_if(
-      known, [&](const std::string& other) { return other.starts_with(word + "_"); });
-  if (longer != known.end()) return meant(*longer);
+  if (const auto* longer = begun_by(in_lower_case(word), known)) return meant(*longer);
   if (nearest == known.end() || distance(*nearest) > 1 + word.size() / 4) return "";
   return meant(*nearest);
 }

@@ -59,6 +59,18 @@ TEST(Mistakes, CapitalsAreNoOtherWord) {
   EXPECT_THAT(problems_of("Rate_Hz = 5\n"), ElementsAre(HasSubstr("(did you mean 'rate_hz'?)")));
 }
 
+TEST(Mistakes, TheBeginningOfOneKeyIsTakenForIt) {
+  for (const auto& [typed, meant] : {std::pair{"rat", "rate_hz"},
+                                     {"Rate", "rate_hz"},
+                                     {"lat", "latency_ms"},
+                                     {"late", "latency_ms"},
+                                     {"lever", "lever_arm_m"},
+                                     {"mountin", "mounting_deg"}})
+    EXPECT_THAT(problems_of(std::string(typed) + " = 5\n"),
+                ElementsAre(HasSubstr(std::string("(did you mean '") + meant + "'?)")));
+  EXPECT_THAT(problems_of("l = 5\n"), ElementsAre(testing::Not(HasSubstr("did you mean"))));
+}
+
 TEST(Mistakes, AFileWithoutItsFirstTableIsTakenForNoOtherKind) {
   namespace fs = std::filesystem;
   const fs::path file = fs::path(testing::TempDir()) / "drydock-no-first-table.toml";

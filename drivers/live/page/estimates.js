@@ -1,27 +1,33 @@
-// Shows each estimate beside the truth at the same time, or its error, with the three-sigma band that the estimator claims.
+// Shows each estimate beside the truth of its time, or its error, with the three-sigma band that the estimator claims.
 import { axes, degree, seconds } from './dom.js';
 import { plot } from './plot.js';
+import { Truths } from './truths.js';
 import { depthProfile, trackPoint } from './where.js';
 
-const earthRadius = 6371000, patience = 2; // s: if there is a truth, it comes within this time
-const truths = { attitude: new Map(), fix: new Map(), odometry: new Map() }; // stamp -> message of /estimate/truth
-const first = new Map(); // when the first estimate without truth came
+const earthRadius = 6371000;
 
-const key = ({ header: { stamp: { sec, nanosec } } }) => `${sec}.${nanosec}`;
-const truthOf = (kind, message) => truths[kind].get(key(message));
-
-// Undefined while a truth may still come. An estimate without truth is drawn alone.
-function hasTruth(kind, t) {
-  if (truths[kind].size) return true;
-  if (!first.has(kind)) first.set(kind, t);
-  return t - first.get(kind) > patience ? false : undefined;
+// Each part of a message at a share of the way from a to b; a rotation by the shorter way. What is no number is a's.
+const mix = (a, b, share) => a + (b - a) * share;
+function mixed(a, b, share) {
+  if (typeof a === 'number') return mix(a, b, share);
+  if (a === null || typeof a !== 'object') return a;
+  const far = 'w' in a && a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < 0 ? -1 : 1;
+  return Object.fromEntries(Object.keys(a).map((key) => [key, mixed(a[key], typeof b[key] === 'number' ? far * b[key] : b[key], share)]));
 }
+const part = {
+  attitude: ({ orientation }) => ({ orientation }),
+  fix: ({ latitude, longitude, altitude }) => ({ latitude, longitude, altitude }),
+  odometry: ({ pose, twist }) => ({ orientation: pose.pose.orientation, linear: twist.twist.linear }),
+};
+const truths = Object.fromEntries(Object.keys(part).map((kind) => [kind, new Truths(mixed)]));
+
 const around = (value, sigma) => [value, value - 3 * sigma, value + 3 * sigma];
 const error = (value, sigma) => [value, -3 * sigma, 3 * sigma];
 
 // ROS gives the attitude of forward-left-up axes against east-north-up. Pitch changes sign so that nose up is positive; yaw
 // counts from east.
-function eulerOf({ x, y, z, w }) {
+function eulerOf(q) {
+  const size = Math.hypot(q.x, q.y, q.z, q.w), [x, y, z, w] = [q.x, q.y, q.z, q.w].map((one) => one / size);
   const north = Math.PI / 2 - Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
   return { roll: Math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)), pitch: -Math.asin(Math.max(-1, Math.min(1, 2 * (w * y - z * x)))), heading: north };
 }
@@ -30,8 +36,8 @@ function metres(from, to) {
   return { north: (to.latitude - from.latitude) * degree * earthRadius, east: (to.longitude - from.longitude) * degree * earthRadius * Math.cos(from.latitude * degree) };
 }
 
-function attitude(name, t, message) {
-  const value = eulerOf(message.orientation), truth = truthOf('attitude', message), true_ = truth && eulerOf(truth.orientation);
+function attitude(name, t, message, truth) {
+  const value = eulerOf(message.orientation), true_ = truth && eulerOf(truth.orientation);
   ['roll', 'pitch'].forEach((axis, i) => {
     const sigma = Math.sqrt(message.orientation_covariance[4 * i]) / degree;
     plot('estimates', `${name}: ${axis}`, 'deg', [{ label: `${name} ± 3σ`, band: true }, { label: 'truth', dash: true }], { axes: axes.turns })
@@ -39,33 +45,33 @@ function attitude(name, t, message) {
   });
 }
 
-function position(name, t, fix) {
-  const truth = truthOf('fix', fix), [east, north, up] = [0, 4, 8].map((i) => Math.sqrt(fix.position_covariance[i]));
+function position(name, t, fix, truth, alone) {
+  const [east, north, up] = [0, 4, 8].map((i) => Math.sqrt(fix.position_covariance[i]));
   trackPoint(name, fix);
   depthProfile(name, t, around(-fix.altitude, up));
   if (truth) {
     const off = metres(truth, fix);
     plot('estimates', `${name}: position error`, 'm', [{ label: 'north ± 3σ', band: true }, { label: 'east ± 3σ', band: true }], { axes: axes.map }).add(t, [error(off.north, north), error(off.east, east)]);
     plot('estimates', `${name}: depth error`, 'm', [{ label: 'down ± 3σ', band: true }], { axes: axes.map, down: true }).add(t, [error(truth.altitude - fix.altitude, up)]);
-  } else if (hasTruth('fix', t) === false) {
+  } else if (alone) {
     plot('estimates', `${name}: position, 3σ`, 'm', ['north', 'east', 'down'], { axes: axes.map }).add(t, [3 * north, 3 * east, 3 * up]);
   }
 }
 
 // In body axes; the twist of ROS is forward and to port. The heading uses the pose's covariance.
-function odometry(name, t, { pose, twist, ...message }) {
-  const truth = truthOf('odometry', message), is = twist.twist.linear;
+function odometry(name, t, { pose, twist }, truth, alone) {
+  const is = twist.twist.linear;
   const [x, y] = [0, 7].map((i) => Math.sqrt(twist.covariance[i])), turned = Math.sqrt(pose.covariance[35]) / degree;
   const heading = eulerOf(pose.pose.orientation).heading;
   const pair = [{ label: 'forward ± 3σ', band: true }, { label: 'starboard ± 3σ', band: true }];
   if (truth) {
-    const was = truth.twist.twist.linear;
+    const was = truth.linear;
     plot('estimates', `${name}: velocity error`, 'm/s', pair, { axes: axes.body }).add(t, [error(is.x - was.x, x), error(was.y - is.y, y)]);
     plot('estimates', `${name}: heading error`, 'deg', [{ label: 'heading ± 3σ', band: true }], { axes: axes.heading })
-      .add(t, [error(turn(heading - eulerOf(truth.pose.pose.orientation).heading) / degree, turned)]);
-  } else if (hasTruth('odometry', t) === false) {
+      .add(t, [error(turn(heading - eulerOf(truth.orientation).heading) / degree, turned)]);
+  } else if (alone) {
     plot('estimates', `${name}: velocity`, 'm/s', pair, { axes: axes.body }).add(t, [around(is.x, x), around(-is.y, y)]);
-    plot('estimates', `${name}: heading`, 'deg', [{ label: 'heading ± 3σ', band: true }], { axes: axes.heading }).add(t, [around((heading / degree + 360) % 360, turned)]);
+    plot('estimates', `${name}: heading`, 'deg', [{ label: 'heading ± 3σ', band: true }], { axes: axes.heading, turn: 360 }).add(t, [around((heading / degree + 360) % 360, turned)]);
   }
 }
 
@@ -75,8 +81,7 @@ export function takeEstimate(name, type, message) {
   const [kind, show] = kinds[type] ?? [];
   if (!kind) return;
   const t = seconds(message.header.stamp);
-  if (name !== 'truth') { show(name, t, message); return; }
-  truths[kind].set(key(message), message);
-  if (truths[kind].size > 200) truths[kind].delete(truths[kind].keys().next().value);
+  if (name !== 'truth') { truths[kind].takeEstimate(t, (truth, alone) => show(name, t, message, truth, alone)); return; }
+  truths[kind].takeTruth(t, part[kind](message));
   if (kind === 'fix') { trackPoint(name, message); depthProfile(name, t, -message.altitude); }
 }

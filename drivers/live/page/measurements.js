@@ -4,7 +4,7 @@ import { plot } from './plot.js';
 import { depthProfile, satellites, trackPoint } from './where.js';
 
 const xyz = ({ x, y, z }) => [x, y, z];
-const show = (title, unit, lines, t, values, convention = '') => plot('measurements', title, unit, lines, { axes: convention }).add(t, values);
+const show = (title, unit, lines, t, values, convention = '', options = {}) => plot('measurements', title, unit, lines, { axes: convention, ...options }).add(t, values);
 // The messages of ROS have forward, left, up; the page shows every vector forward, starboard, down.
 const frd = ({ x, y, z }) => [x, -y, -z];
 
@@ -28,7 +28,7 @@ const kinds = {
   },
   'drydock/msg/Attitude': (n, t, m) => {
     const heading = Number.isFinite(m.true_heading) ? m.true_heading : m.heading;
-    if (Number.isFinite(heading)) show(`${n}: heading`, 'deg', ['heading'], t, [heading / degree], axes.heading);
+    if (Number.isFinite(heading)) show(`${n}: heading`, 'deg', ['heading'], t, [heading / degree], axes.heading, { turn: 360 });
     if (Number.isFinite(m.roll) || Number.isFinite(m.pitch)) show(`${n}: tilt`, 'deg', ['roll', 'pitch'], t, [m.roll / degree, m.pitch / degree], axes.turns);
     if (Number.isFinite(m.rate_of_turn)) show(`${n}: rate of turn`, 'deg/s', ['rate of turn'], t, [m.rate_of_turn / degree], axes.heading);
   },

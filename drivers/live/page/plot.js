@@ -17,9 +17,10 @@ function widthOf({ ctx }, texts) {
 
 // lines: [{ label, colour, band, dash, marks }]. A line with a band takes [value, low, high]; `marks` are points without a line.
 // options: axes: the convention of the lines, said beside the title; down: y grows downwards; bound: { at, text }: a level to stay below; y then goes from 0 to four times that level.
+// turn: the values are angles of a circle; a curve goes on over its end without a jump, and the axis tells them from 0 up to it.
 export class Plot {
-  constructor(parent, title, unit, lines, { down = false, bound, axes = '' } = {}) {
-    Object.assign(this, { unit, lines, down, bound, changed: false, shown: null });
+  constructor(parent, title, unit, lines, { down = false, bound, axes = '', turn = 0 } = {}) {
+    Object.assign(this, { unit, lines, down, bound, turn, changed: false, shown: null });
     this.note = make('span', { className: 'note' }, axes);
     this.legend = make('div', { className: 'legend' });
     this.box = make('figure', { ariaLabel: title }, make('figcaption', {}, title, this.note), this.legend);
@@ -61,10 +62,14 @@ export class Plot {
       scales: { x: { time: false }, y: this.scale() },
       axes: [
         { ...axis, size: 24, space: 64, incrs: [1, 2, 5, 10, 15, 30, 60], values: (_, at) => at.map(clock) },
-        { ...axis, size: (u, texts) => widthOf(u, texts) + 10, label: this.unit, labelSize: 16, labelGap: 0, space: 26 },
+        { ...axis, ...this.circle(), size: (u, texts) => widthOf(u, texts) + 10, label: this.unit, labelSize: 16, labelGap: 0, space: 26 },
       ],
       hooks: { drawClear: [(u) => this.shade(u)], draw: [(u) => this.drawBound(u)], setCursor: [(u) => { this.shown = u.cursor.idx; this.showValues(); }] },
     }, this.data, this.box);
+  }
+  told(value) { return this.turn ? ((value % this.turn) + this.turn) % this.turn : value; }
+  circle() {
+    return this.turn ? { incrs: [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360, 720, 1440], values: (_, at) => at.map((value) => String(Number(this.told(value).toFixed(6)))) } : {};
   }
   scale() {
     const { at } = this.bound ?? {};
@@ -121,14 +126,22 @@ export class Plot {
     const at = this.row(seconds);
     let column = 1;
     this.lines.forEach(({ band }, i) => {
-      for (const value of band ? values[i] ?? [undefined, undefined, undefined] : [values[i]]) {
-        if (Number.isFinite(value)) this.data[column][at] = value;
+      const all = band ? values[i] ?? [undefined, undefined, undefined] : [values[i]], turns = this.turns(column, at, all[0]);
+      for (const value of all) {
+        if (Number.isFinite(value)) this.data[column][at] = value + turns;
         ++column;
       }
     });
     const old = this.data[0].findIndex((t) => t >= seconds - keptSeconds);
     if (old > 200) for (const one of this.data) one.splice(0, old);
     this.changed = true;
+  }
+  // What to add to a value of a circle, so that it is next to the one before it.
+  turns(column, at, value) {
+    if (!this.turn || !Number.isFinite(value)) return 0;
+    let before = at - 1;
+    while (before >= 0 && this.data[column][before] === null) --before;
+    return before < 0 ? 0 : this.turn * Math.round((this.data[column][before] - value) / this.turn);
   }
   row(seconds) {
     const [times, ...columns] = this.data;
@@ -156,7 +169,7 @@ export class Plot {
     let column = 1;
     this.lines.forEach(({ band }, i) => {
       const values = this.data[column], at = this.shown ?? values.findLastIndex((v) => v !== null);
-      this.values[i].textContent = number(values[at] ?? NaN);
+      this.values[i].textContent = number(this.told(values[at] ?? NaN));
       column += band ? 3 : 1;
     });
   }

@@ -8,6 +8,7 @@
 #include "hil/program/load_rig.hpp"
 #include "hil/program/options.hpp"
 #include "hil/program/part_arguments.hpp"
+#include "rig_config/estimator/kinds.hpp"
 #include "rig_config/toml/split_values.hpp"
 
 namespace drydock::program {
@@ -19,6 +20,13 @@ struct CompareArguments {
   PartArguments part;
   std::string estimators;
 };
+
+std::string kinds_of_estimators() {
+  std::string names;
+  for (const auto& kind : rig_config::estimator_facts)
+    names += (names.empty() ? "" : ", ") + std::string(kind.name);
+  return names;
+}
 
 void finish(CompareArguments& a) {
   for (const auto choice : rig_config::split_values(a.estimators, ','))
@@ -60,8 +68,8 @@ void add_compare(CLI::App& app, Command& command) {
                   "MCAP recording, capture of one sensor, or a rig, which runs in virtual time")
       ->required();
   sub->add_option("--estimators", a->estimators,
-                  "A,B,C: names of the rig's estimators or kinds, each with options as "
-                  "kind:key=value:key=value")
+                  "A,B,C: names of the rig's estimators or kinds, out of " + kinds_of_estimators() +
+                      "; each with options as kind:key=value:key=value")
       ->required();
   sub->add_option("--rig", o.rig,
                   "rig file in the place of the recorded one, or with the sensor of a capture")

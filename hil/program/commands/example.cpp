@@ -9,7 +9,8 @@ namespace drydock::program {
 void add_example(CLI::App& app, Command& command) {
   auto name = std::make_shared<std::string>();
   auto* sub = app.add_subcommand(
-      "example", "The rigs, missions, sensors and vehicles that come with the program");
+      "example",
+      "The rigs, missions, sensors, vehicles, descriptions and campaigns that come with it");
   sub->footer(
       "Example: drydock example\n"
       "         drydock example demo > my-rig.toml");

@@ -6,6 +6,7 @@
 #include "drivers/shell/rig_devices.hpp"
 #include "estimators/host/diagnostician_beside.hpp"
 #include "hil/program/commands.hpp"
+#include "hil/program/link_argument.hpp"
 #include "hil/program/load_rig.hpp"
 #include "hil/program/options.hpp"
 
@@ -74,6 +75,7 @@ void add_monitor(CLI::App& app, Command& command) {
   sub->callback([a, &command] {
     command = [a] {
       a->options.description = load_protocol(a->options.protocol);
+      if (!names_rig(a->options.link)) must_name_link("monitor", a->options.link);
       if (!a->options.protocol.empty()) return monitor::monitor_messages(a->options);
       a->options.beside = host::diagnostician_beside;
       if (!names_rig(a->options.link)) return monitor::monitor_link(a->options);

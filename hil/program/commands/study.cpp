@@ -3,8 +3,20 @@
 #include "hil/program/commands.hpp"
 #include "hil/program/options.hpp"
 #include "hil/study/run/run_study.hpp"
+#include "hil/study/velocity/velocity_study.hpp"
 
 namespace drydock::program {
+
+namespace {
+
+std::string cases_of_velocity() {
+  std::string names;
+  for (const auto name : study::velocity_case_names())
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  return names;
+}
+
+}  // namespace
 
 void add_study(CLI::App& app, Command& command) {
   auto options = std::make_shared<study::StudyOptions>();
@@ -23,12 +35,13 @@ void add_study(CLI::App& app, Command& command) {
                   "threads; the result does not depend on it; default one a processor")
       ->check(CLI::Range(1U, 1024U));
   sub->add_option("--cases", options->campaign.cases,
-                  "these experiments of the study alone: A,B; velocity has them")
+                  "these experiments of the study alone: A,B; velocity has them, out of " +
+                      cases_of_velocity())
       ->delimiter(',');
   sub->add_option("--registers", options->campaign.registers,
                   "velocity: the widest that hold runs side by side; the result does not depend on "
                   "it; default the widest of the processor")
-      ->check(CLI::IsMember({"off", "sse2", "avx2", "avx512"}));
+      ->check(CLI::IsMember({"off", "avx2", "avx512"}));
   sub->add_option("--ephemeris", options->campaign.ephemeris,
                   "roll: GPS navigation file in place of that of 2010-07-01");
   sub->add_option("--json", options->json, "write the figures to this file");

@@ -8,6 +8,15 @@
 
 namespace drydock::program {
 
+namespace {
+
+/// DDS puts rt before a topic of ROS: rt/imu/data is /imu/data.
+std::string as_ros_says(const std::string& topic) {
+  return topic.starts_with("rt/") ? topic.substr(2) : topic;
+}
+
+}  // namespace
+
 void add_topic(CLI::App& app, Command& command) {
   struct Arguments {
     std::string source;
@@ -31,6 +40,7 @@ void add_topic(CLI::App& app, Command& command) {
       ->transform(running_time);
   sub->callback([a, &command] {
     command = [a] {
+      a->options.name = as_ros_says(a->options.name);
       if (a->source.ends_with(".mcap"))
         return topic::echo_recording(a->source, a->options, stdout, stderr);
       return topic::echo_bus(load_rig(a->source), a->options, stdout, stderr);

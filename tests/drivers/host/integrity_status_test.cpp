@@ -35,6 +35,13 @@ TEST(IntegrityStatuses, SayTheBoundsInDegreesAndMetres) {
   EXPECT_THAT(status->values, testing::Not(Contains(Pair("heading_bound_deg", testing::_))));
 }
 
+TEST(IntegrityStatuses, OfAnEstimateThatCameWithoutBoundsSayNothing) {
+  IntegrityStatuses statuses({"leveling"});
+  Estimate heard;
+  heard.attitude.valid_at = measurement::Stamp{} + measurement::from_seconds(100);
+  EXPECT_FALSE(statuses.take(heard));
+}
+
 TEST(IntegrityStatuses, ComeOnceASecondAndAtEachChange) {
   IntegrityStatuses statuses({"leveling"});
   int told = 0;

@@ -9,7 +9,7 @@ namespace drydock::live::test {
 
 using namespace measurement;
 
-/// One device of every kind and an estimator, 20 times a second from a start in the past. When a
+/// One device of every kind and two estimators, 20 times a second from a start in the past. When a
 /// viewer has come, faults begin: from 0.4 s to 0.9 s the receiver is silent, and from 1.5 s on the
 /// DVL has bit errors.
 class MadeUpBench {
@@ -23,7 +23,8 @@ class MadeUpBench {
                     {"gps", bus::Kind::gnss},
                     {"imu", bus::Kind::imu},
                     {"depth", bus::Kind::depth}},
-                   {"leveling", "truth"}, {"leveling", "truth"}, {{0, 0}, {0, 1}}) {}
+                   {"leveling", "truth", "late"}, {"leveling", "truth", "late"}, {{0, 0}, {0, 1}}) {
+  }
 
   void step() {
     now_s_ = 0.05 * ++steps_;
@@ -59,13 +60,14 @@ class MadeUpBench {
     return origin;
   }
 
-  /// The estimate is 2 m north of the truth, with a sigma of 1 m.
+  /// The estimates are 2 m north of the truth, with a sigma of 1 m. Those of "late" have times of
+  /// their own, 20 ms before a truth, and the truth moves north with 3 m/s.
   void publish_estimates(double wave) {
     publisher_.publish(bus::Attitude{at(now_s_), 0.11 * wave, 0.05, {}, {}}, 1);
     publisher_.publish(bus::Attitude{at(now_s_), 0.1 * wave, 0.05, {}, attitude_covariance}, 0);
     bus::Navigation where;
     where.valid_at = at(now_s_);
-    where.latitude_rad = 0.6;
+    where.latitude_rad = latitude_at(now_s_);
     where.longitude_rad = 0.2 + 1e-6 * wave;
     where.height_m = -5;
     publisher_.publish(where, 1);
@@ -73,7 +75,13 @@ class MadeUpBench {
     where.velocity_ned.x() = 0.1;
     where.covariance.setIdentity();
     publisher_.publish(where, 0);
+    const double late_s = now_s_ - 0.02;
+    where.valid_at = at(late_s);
+    where.latitude_rad = latitude_at(late_s) + 2 / 6.37e6;
+    publisher_.publish(where, 2);
+    publisher_.publish(bus::Attitude{at(late_s), 0, 0.05, {}, attitude_covariance}, 2);
   }
+  static double latitude_at(double t) { return 0.6 + 3 * t / 6.37e6; }
 
   /// Every tenth innovation of the log is refused, at six sigma. The innovations of the DVL are
   /// small.

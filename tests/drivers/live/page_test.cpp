@@ -88,6 +88,11 @@ void see_curves(const json& figures) {
   }
   EXPECT_THAT(figures["leveling: position error"]["legend"].get<std::string>(),
               MatchesRegex("north ± 3σ 2(.00[0-9])? east ± 3σ .*"));
+  // An estimate of another time than each truth is compared with the truth between two.
+  EXPECT_THAT(figures["late: position error"]["legend"].get<std::string>(),
+              MatchesRegex("north ± 3σ 2(.00[0-9])? east ± 3σ .*"));
+  EXPECT_GT(drawn(figures, "late: position error", "--c1"), 20);
+  EXPECT_GT(drawn(figures, "late: pitch", "--c2"), 50);
   EXPECT_GT(drawn(figures, "dvl: velocity over the bed", "--c1"), 50);
   EXPECT_GT(drawn(figures, "dvl: velocity over the bed", "--c2"), 50);
   EXPECT_GT(drawn(figures, "imu: specific force", "--c3"), 50);
@@ -207,6 +212,18 @@ TEST_P(LivePage, ShowsHealthFaultsEstimatesInnovationsAndMeasurementsAtThisWidth
   see_innovations(seen["figures"], steps_before);
 }
 
+/// Truths each 0.2 s of a motion of 3 m/s, as the history keeps them; estimates at other times.
+TEST(LivePageTruths, AnEstimateMeetsTheTruthOfItsOwnTimeHoweverTheyCame) {
+  DRYDOCK_NEEDS_NODE();
+  const auto seen = drydock::test::run_node("tests/drivers/live/truths.cjs", {});
+  ASSERT_FALSE(seen.empty());
+  ASSERT_EQ(seen["off"].size(), 50U);  // each estimate found its truth
+  for (const double off : seen["off"]) EXPECT_NEAR(off, 0, 1e-9);
+  EXPECT_EQ(seen["in_a_hole"], json::parse("[[null, false]]"));
+  EXPECT_EQ(seen["without"], json::parse("[[null, true], [null, true], [null, true]]"));
+  EXPECT_EQ(seen["another_run"], json::parse("[[9, false]]"));
+}
+
 TEST(LivePageBounds, AreThoseThatBoostsDistributionsGive) {
   std::ostringstream bounds;
   bounds << std::fixed << std::setprecision(3) << "[0";
@@ -221,7 +238,7 @@ TEST(LivePageBounds, AreThoseThatBoostsDistributionsGive) {
 
 INSTANTIATE_TEST_SUITE_P(Looks, LivePage,
                          testing::Values(Look{1280, "light"}, Look{1280, "dark"},
-                                         Look{400, "light"}, Look{400, "dark", "mine"}),
+                                         Look{390, "light"}, Look{390, "dark", "mine"}),
                          [](const auto& look) {
                            return std::string(look.param.theme) + std::to_string(look.param.width);
                          });

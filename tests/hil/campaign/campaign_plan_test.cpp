@@ -170,6 +170,18 @@ TEST(CampaignFile, RefusesAMisspeltPlaceholderInAFile) {
   EXPECT_EQ(refused("{delay} ${dely} {errors = 1} {print} {x}"), "");
 }
 
+TEST(CampaignFile, LeavesTheBracesOfJsonInACommandAndRefusesASingleName) {
+  const auto with_command = [](const std::string& command) {
+    std::string text = lists + "[[parameter]]\nname = \"delay\"\nlist = [1]\n";
+    const auto at = text.find("command = ");
+    return text.replace(at, text.find('\n', at) - at, "command = '" + command + "'");
+  };
+  EXPECT_EQ(problems(with_command(R"(echo {"y": {delay}} {"a":1} ${HOME} {} {a,b})")), "");
+  EXPECT_THAT(problems(with_command("echo {dely}")), HasSubstr("there is no '{dely}'"));
+  const auto campaign = loaded(with_command(R"(echo {"y":{a}})"));
+  EXPECT_EQ(command_of(campaign, 2, "dir").at(1), R"({"y":x})");
+}
+
 TEST(CampaignFile, FillsTheFilesOfARun) {
   const auto campaign =
       loaded(lists + "[[file]]\nname = \"in.toml\"\ntext = \"a = '{a}'\\nb = { c = {b} }\"\n");

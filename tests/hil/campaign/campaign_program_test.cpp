@@ -51,6 +51,18 @@ std::size_t lines_in(const std::filesystem::path& file) {
   return static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }
 
+TEST(CampaignProgram, WithoutSlurmItsEngineLeavesNothingBehind) {
+  const Folder folder, empty;
+  const auto out = folder / "out";
+  const auto refused = drydock("campaign " DRYDOCK_SOURCE_DIR
+                               "/rig_config/campaigns/turning.toml --engine slurm --out " +
+                                   out.string(),
+                               "PATH=" + (empty / "").string());
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("Slurm is not installed here"));
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
 TEST(CampaignProgram, OneAndSeveralAtATimeGiveTheSameBytes) {
   const Folder folder;
   const std::string file = DRYDOCK_SOURCE_DIR "/rig_config/campaigns/turning.toml";

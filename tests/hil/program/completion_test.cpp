@@ -86,6 +86,18 @@ TEST(BashCompletion, KnowsTheFaultsOfAllDevicesOfTheRigAtHand) {
   EXPECT_EQ(bash_offers(scorecard + "--devices dvl,im"), "dvl,imu\n");
 }
 
+TEST(BashCompletion, KnowsDevicesOfRigsAndRecordingsEstimatorsAndCases) {
+  const std::string dive = "fixtures/dives/dvl-finds-the-bottom/dive.mcap";
+  EXPECT_EQ(bash_offers("drydock topic demo ''"), "dvl emlog gnss imu depth actuators\n");
+  EXPECT_EQ(bash_offers("drydock topic " + dive + " ''"), "dvl\n");
+  EXPECT_EQ(bash_offers("drydock replay " + dive + " --only ''"), "dvl\n");
+  EXPECT_EQ(bash_offers("drydock scorecard demo --also emlog:bi"), "emlog:bias\n");
+  EXPECT_EQ(bash_offers("drydock scorecard demo --also emlog : bi"), "bias\n");  // as bash divides
+  EXPECT_EQ(bash_offers("drydock compare demo --estimators lev"), "leveling\n");
+  EXPECT_EQ(bash_offers("drydock compare demo --estimators mixing,lev"), "mixing,leveling\n");
+  EXPECT_EQ(bash_offers("drydock study velocity --cases case2"), "case2 case2_20\n");
+}
+
 /// Runs an interactive zsh on each line, in a folder with two files, and returns its completions
 /// for the last word.
 class Zsh : public testing::Test {
@@ -154,6 +166,9 @@ TEST_F(Zsh, OffersUnitsExamplesDescriptionsAndFaults) {
   EXPECT_EQ(offers("drydock example bluero"), "bluerov2\n");
   EXPECT_EQ(offers("drydock decode --protocol valep"), "valeport-vat.toml\n");
   EXPECT_EQ(offers("drydock scorecard demo --faults bottom"), "bottom-lost\n");
+  EXPECT_EQ(offers("drydock scorecard demo --also emlog:bi"), "emlog:bias\n");
+  EXPECT_EQ(offers("drydock topic demo g"), "gnss\n");
+  EXPECT_EQ(offers("drydock study velocity --cases case2"), "case2\ncase2_20\n");
 }
 
 TEST_F(Zsh, TakesTheCompletionFromSourceToo) {

@@ -82,6 +82,11 @@ TEST(Mistakes, AFileThatIsNotThereIsComparedWithThoseThatAre) {
       {"maneuver nps-auv-i zigzag", 2, "(did you mean 'nps-auv-ii'?)"},
       {"replay " + dive + " --rig demmo", 2, "(did you mean 'demo'?)"},
       {"track fixtures/dives/dvl-finds-the-bottom/div.mcap", 1, "(did you mean 'dive.mcap'?)"},
+      {"monitor dmeo", 2, "(did you mean 'demo'?)"},
+      {"monitor dmeo --protocol pd0", 2, "(did you mean 'demo'?)"},
+      {"diagnose dmeo", 2, "(did you mean 'demo'?)"},
+      {"monitor nothing-like-it", 2, "there is no file, port or CAN interface"},
+      {"monitor tcp:x", 2, "tcp needs host:port"},
       {"run nothing-like-it --for 1s", 2, "`drydock example` lists the files"},
   });
 }
@@ -144,11 +149,36 @@ TEST(Mistakes, AWrongProtocolIsToldWhichOneItLooksLike) {
       {"replay fixtures/pd0/golden.pd0 --protocol ubx", 1, "the bytes look like pd0"},
       {"replay fixtures/pd0/golden.pd0 --protocol foo", 2,
        "no driver speaks \"foo\"; allowed: ubx, "},
+      {"decode fixtures/pd0/golden.pd0 --protocol nmea-depth", 2,
+       "no driver speaks \"nmea-depth\" (did you mean 'nmea-depth.toml'?); allowed: ubx, "},
+      {"replay fixtures/pd0/golden.pd0 --protocol pd00", 2, "(did you mean 'pd0'?)"},
       {"monitor can:auto --protocol pd0", 2,
        "a CAN link carries no protocol \"pd0\"; allowed: nmea2000"},
       {"monitor tcp:127.0.0.1:9 --protocol nmea2000", 2,
        "a byte link carries no protocol \"nmea2000\"; allowed: ubx"},
   });
+}
+
+TEST(Mistakes, AnOptionAndItsValueAreToldInTheirOrder) {
+  expect_told(
+      {{"run demo --spede max", 2, "run: there is no option --spede (did you mean '--speed"}});
+}
+
+TEST(Mistakes, AReplayWithoutAMeasurementIsNeverSilent) {
+  const Folder folder;
+  const std::string noise = (folder / "noise.bin").string();
+  std::ofstream(noise) << std::string(500, '\x55');
+  expect_told({{"replay " + noise + " --protocol pd0 --quiet", 1,
+                "replay: " + noise + ": no measurement\n"}});
+}
+
+TEST(Mistakes, AFailureBeginsWithTheNameOfItsCommand) {
+  for (const std::string command : {"track", "calibrate", "info", "diagnose"})
+    expect_told({{command + " /dev/null", 1, command + ": /dev/null: is a device or a pipe"}});
+}
+
+TEST(Mistakes, ATopicMayHaveTheNameThatDdsGivesIt) {
+  expect_told({{"topic " + dive + " rt/dvl/bottom_track --count 1", 0, "/dvl/bottom_track"}});
 }
 
 TEST(Mistakes, AStartBehindTheEndIsCalledThat) {

@@ -114,12 +114,54 @@ TEST_F(OnATerminal, ARecordingShowsTimeSizeAndRatesOnOneLine) {
   EXPECT_THAT(screen.showing("exit="), Not(HasSubstr("s left")));
 }
 
+TEST_F(OnATerminal, ANarrowOneShowsTheRatesOfAllDevicesOnFurtherLines) {
+  const TerminalScreen screen(
+      folder_,
+      std::string("record ") + demo + " -o " + (folder_ / "dive.mcap").string() + " --for 9s",
+      "xterm", 60, 30);
+  const auto text = screen.showing("actuators 10.");
+  for (const char* name : {"dvl", "emlog", "gnss", "imu", "depth", "actuators"})
+    EXPECT_THAT(text, testing::ContainsRegex(std::string(name) + " [0-9.]+ Hz"));
+  const auto after = screen.showing("exit=");
+  EXPECT_THAT(after, Not(HasSubstr("s left")));
+  EXPECT_THAT(after, Not(HasSubstr("\n  actuators")));  // all lines are wiped
+}
+
+TEST(Replay, AtItsOwnSpeedShowsWhatIsGoneWhatIsLeftAndTheRates) {
+  const Folder folder;
+  const TerminalScreen screen(
+      folder, "replay fixtures/dives/dvl-finds-the-bottom/dive.mcap --speed 1 --quiet", "xterm", 79,
+      24);
+  const auto text = screen.showing("Hz");
+  EXPECT_THAT(text, HasSubstr("replay ["));
+  EXPECT_THAT(text, HasSubstr("s left"));
+  screen.press("C-c");
+  EXPECT_THAT(screen.showing("exit="), Not(HasSubstr("s left")));
+}
+
 TEST(Record, OfEmulatedDevicesWithoutAnEmulatorSaysWhatMakesThem) {
   const Folder folder;
   const auto outcome = program::drydock(std::string("record ") + demo + " -o " +
                                         (folder / "dive.mcap").string() + " --for 4s");
   EXPECT_THAT(outcome.output, HasSubstr("nothing is there"));
   EXPECT_THAT(outcome.output, HasSubstr("`drydock emulate` makes them"));
+}
+
+TEST(Record, ShorterThanTheFirstLookSaysItToo) {
+  const Folder folder;
+  const auto outcome = program::drydock(std::string("record ") + demo + " -o " +
+                                        (folder / "dive.mcap").string() + " --for 1s");
+  EXPECT_THAT(outcome.output, HasSubstr("nothing is there"));
+}
+
+TEST_F(OnATerminal, BytesThatNoDriverUnderstandsAreSomebody) {
+  const auto rig = (folder_ / "wrong.toml").string();
+  std::ofstream(rig) << "[rig]\nname = \"wrong\"\n[[device]]\nname = \"dvl\"\nkind = \"dvl\"\n"
+                        "protocol = \"pd4\"\nlink = \"pty:dvl?baud=115200\"\nrate_hz = 5\n";
+  const Running record(
+      folder_, "record " + rig + " -o " + (folder_ / "dive.mcap").string() + " --for 5s", "record");
+  EXPECT_TRUE(record.says("recording "));
+  EXPECT_THAT(record.output(), Not(HasSubstr("nothing is there")));
 }
 
 }  // namespace monitor_screen_test

@@ -5,7 +5,7 @@
 #include <string>
 #include <thread>
 
-#include "tests/hil/program/program.hpp"
+#include "tests/hil/program/running.hpp"
 #include "tests/npm/node.hpp"
 
 /// The monitor serves to browsers what it receives. Foxglove's own client checks this.
@@ -78,6 +78,32 @@ TEST(MonitorServe, ALinksSensorsAreThereUnderTheNamesThatProbingGives) {
   EXPECT_EQ(seen["server"], "drydock pty:dvl");
   EXPECT_TRUE(seen["messages"].contains("/dvl/bottom_track")) << seen;
   EXPECT_EQ(monitor.exit_code(), 0);
+}
+
+/// What the page asks for when it is opened.
+std::string history_at(const std::string& port) {
+  const Folder folder;
+  const auto file = (folder / "history").string();
+  const auto ask = "bash -c 'exec 3<>/dev/tcp/127.0.0.1/" + port +
+                   R"(; printf "GET /history HTTP/1.0\r\nHost: 127.0.0.1\r\n\r\n" >&3; )"
+                   "cat <&3' > " +
+                   file;
+  return std::system(ask.c_str()) == 0 ? program::read_file(file) : "";
+}
+
+TEST(RunServe, TellsViewersWhatTheEstimatorPromises) {
+  const Folder folder;
+  const program::Running bench(folder, "run rig_config/rigs/demo.toml --serve 0", "run.txt");
+  const auto url = bench.line_from("live: http://127.0.0.1:");
+  std::string past;
+  const auto end = std::chrono::steady_clock::now() + program::patience;
+  while (past.find("leveling/integrity") == std::string::npos &&
+         std::chrono::steady_clock::now() < end) {
+    std::this_thread::sleep_for(200ms);
+    past = history_at(url.substr(0, url.find('/')));
+  }
+  EXPECT_THAT(past, HasSubstr("leveling/integrity"));
+  EXPECT_THAT(past, HasSubstr("roll_bound_deg"));
 }
 
 TEST(MonitorServe, OneTableOrOneProtocolIsNothingToServe) {

@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <sstream>
+
 #include "tests/hil/program/program.hpp"
 
 namespace shipped_files_test {
@@ -58,6 +61,26 @@ TEST(ShippedFiles, TheListHasOneOfEachKindWithWhatItsFileSaysFirst) {
     EXPECT_THAT(list.output, HasSubstr(name));
   EXPECT_THAT(elsewhere(folder, "example s-path").output, HasSubstr("amplitude_deg = 45.0"));
   EXPECT_EQ(elsewhere(folder, "example nothing").exit_code, 2);
+  EXPECT_THAT(elsewhere(folder, "example turning").output, HasSubstr("[campaign]"));
+  EXPECT_THAT(elsewhere(folder, "example nmea-depth").output, HasSubstr("[sensor]"));
+  EXPECT_THAT(list.output, HasSubstr("  nmea-depth               Echo sounder with NMEA 0183"));
+  std::istringstream lines(list.output);
+  for (std::string line; std::getline(lines, line);)  // no sentence ends within its brackets
+    EXPECT_EQ(
+        std::ranges::count(line, '(') > std::ranges::count(line, ')') && !line.ends_with("..."),
+        false)
+        << line;
+}
+
+TEST(ShippedFiles, CampaignsAndDescriptionsAreCheckedAsWhatTheyAre) {
+  const Folder folder;
+  EXPECT_THAT(elsewhere(folder, "check turning").output, HasSubstr("turning.toml: ok"));
+  EXPECT_THAT(elsewhere(folder, "check nmea-depth").output, HasSubstr("nmea-depth.toml: ok"));
+  std::ofstream(folder / "c.toml") << "[campaign]\nname = \"c\"\nrepetition = 2\n";
+  const auto refused = elsewhere(folder, "check c.toml");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.output, HasSubstr("c.toml:3:1: /campaign/repetition: unknown key (did you "
+                                        "mean 'repetitions'?)"));
 }
 
 TEST(ShippedFiles, ACopyOfARigIsAcceptedByCheckWhereverItIs) {
@@ -80,7 +103,7 @@ TEST(NewFile, OfEachKindIsAcceptedByCheck) {
 TEST(NewFile, OfARigRunsAndMeetsItsExpectation) {
   const Folder folder;
   elsewhere(folder, "new rig my-bench");
-  const auto run = elsewhere(folder, "run my-bench.toml --for 10s --speed max");
+  const auto run = elsewhere(folder, "run my-bench --for 10s --speed max");
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("my-bench: 10.0 s of bench time"));
   EXPECT_THAT(run.output, HasSubstr("PASS dvl state: streaming"));

@@ -30,6 +30,9 @@ function read() {
   const whole = await page.evaluate(read);
   const seen = {
     overflow: await page.evaluate(() => document.documentElement.scrollWidth - innerWidth),
+    cut: await page.evaluate(() => [...document.querySelectorAll('.scroll')].filter((box) => box.scrollWidth > box.clientWidth + 1).map((box) => box.innerText.slice(0, 40))),
+    cells: await page.evaluate(() => document.querySelector('.cards').innerText),
+    labels: await page.evaluate(() => { const { content } = getComputedStyle(document.querySelectorAll('.cards td')[5], '::before'); return content === 'none' ? '' : content.replaceAll('"', ''); }),
     background: await page.evaluate(() => getComputedStyle(document.body).backgroundColor),
   };
   // The middle half of the first chart, dragged along its x axis; then the pointer in its middle.

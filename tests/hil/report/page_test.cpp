@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "hil/report/html.hpp"
+#include "hil/report/table.hpp"
 #include "hil/report/write_file.hpp"
 #include "tests/npm/node.hpp"
 
@@ -40,6 +41,11 @@ std::string report() {
   std::string body = "<p>A sentence.</p>";
   for (const auto& figure : {rising, depth, spectrum, track})
     body += drydock::report::html::figure(figure);
+  body += drydock::report::to_html({"wide",
+                                    {"device", "state", "source", "good", "bad", "rate", "age"},
+                                    {{"dvl", "streaming", "a long line of words that goes on",
+                                      "1234567", "12", "5.00 of 5.00 Hz", "0.123 s"}},
+                                    ""});
   return drydock::report::html::page("made up", body);
 }
 
@@ -69,6 +75,10 @@ TEST_P(ReportPage, IsOneFileWhosePlotsAreToScaleAndCanBeZoomed) {
   EXPECT_TRUE(seen["errors"].empty()) << seen["errors"];
   EXPECT_EQ(seen["loaded"].size(), 1U) << seen["loaded"];  // the file itself
   EXPECT_LE(seen["overflow"], 0);
+  EXPECT_TRUE(seen["cut"].empty()) << seen["cut"];  // no column is out of sight
+  const auto cells = seen["cells"].get<std::string>();
+  EXPECT_THAT(cells, HasSubstr("5.00 of 5.00 Hz"));
+  EXPECT_EQ(seen["labels"].get<std::string>(), GetParam().width < 560 ? "rate" : "");
   EXPECT_EQ(seen["background"],
             std::string(GetParam().theme) == "dark" ? "rgb(13, 17, 23)" : "rgb(255, 255, 255)");
 
