@@ -41,10 +41,10 @@ TEST_F(RigPath, WithDotsAndBehindASymlinkIsRecordedWithAllItsFiles) {
   }
 }
 
-TEST_F(RigPath, WithoutItsEndingIsGuessed) {
+TEST_F(RigPath, WithoutItsEndingIsThatFile) {
   fs::copy_file(folder_ / "a/rigs/demo.toml", folder_ / "my-rig.toml");
   EXPECT_THAT(drydock("run my-rig", "cd " + (folder_ / "").string() + ";").output,
-              HasSubstr("did you mean 'my-rig.toml'?"));
+              HasSubstr("my-rig.toml:11:11: /rig/mission: there is no file"));
 }
 
 TEST_F(RigPath, IsShownWithoutControlCharacters) {
