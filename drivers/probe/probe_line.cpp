@@ -140,7 +140,7 @@ void note_line(const survey::ByteSurvey& survey, const std::string& setting,
 bool search_line(const LineSearch& search, Ear& ear, Progress& progress, ProbeReport& report) {
   const bool serial = search.link.starts_with("serial:");
   const bool fixed_parity = search.link.find("parity=") != std::string::npos;
-  const auto shipped = rig_config::shipped_descriptions();
+  const auto& shipped = rig_config::shipped_descriptions();
   SettingSearch settings;
   settings.plain = serial ? settings_of(search.link, "N") : std::vector<LineSetting>{{}};
   if (serial && !fixed_parity) settings.with_parity = settings_of(search.link, "EO");

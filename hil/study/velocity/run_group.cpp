@@ -42,9 +42,9 @@ std::span<const Registers> registers() {
 }
 
 const Registers& registers_for(std::size_t runs, std::string_view widest) {
-  const Registers* best = nullptr;
+  const Registers* best = &registers().front();
   for (const Registers& kind : registers()) {
-    if (best == nullptr || best->width < runs) best = &kind;
+    if (best->width < runs) best = &kind;
     if (kind.name == widest) break;
   }
   return *best;
