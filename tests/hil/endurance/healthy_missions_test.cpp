@@ -68,6 +68,9 @@ TEST(HealthyMissions, HaveNoFindingOnAHullThatTurnsAndChangesItsSpeed) {
     options.duration_s = 900;
     options.quiet = true;
     const auto summary = bench::run_lockstep(demo_on(sailed, ++seed), options);
+    EXPECT_NEAR(summary.duration_s, options.duration_s, 1) << seed;
+    EXPECT_EQ(summary.devices.size(), 6U) << seed;
+    EXPECT_TRUE(summary.all_streaming()) << seed;
     for (const auto& finding : summary.findings)
       ADD_FAILURE() << seed << ": " << finding.device << " " << finding.cause << " at "
                     << finding.since_s << " s";
