@@ -1,11 +1,8 @@
-#include <filesystem>
-#include <fstream>
 #include <map>
 
 #include "drivers/wire/bytes.hpp"
-#include "drivers/wire/dbc/reader.hpp"
 #include "drivers/wire/j1939/j1939.hpp"
-#include "tests/drivers/described/dbc_bus.hpp"
+#include "tests/drivers/described/dbc_folder.hpp"
 
 /// Which frames make a sample, and which frames an emulated sensor sends.
 namespace drydock::described::test {
@@ -13,28 +10,9 @@ namespace dbc_samples_test {
 
 using measurement::DepthSample;
 using measurement::ImuSample;
-namespace fs = std::filesystem;
 
-/// A description and its DBC file in a folder of their own.
-class DbcSamples : public testing::Test {
+class DbcSamples : public DbcFolder {
  protected:
-  DbcSamples()
-      : folder_(fs::path(testing::TempDir()) / ("drydock-samples-" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~DbcSamples() override { fs::remove_all(folder_); }
-
-  DescriptionPtr description(const std::string& kind, const std::string& dbc,
-                             const std::string& frames) const {
-    std::ofstream(folder_ / "s.dbc") << "VERSION \"\"\nBU_: s\n" << dbc;
-    std::ofstream(folder_ / "s.toml")
-        << "[sensor]\ntitle = \"s\"\nkind = \"" << kind << "\"\n[protocol]\ndbc = \"s.dbc\"\n"
-        << frames;
-    auto loaded = rig_config::load_description((folder_ / "s.toml").string());
-    EXPECT_TRUE(loaded) << (loaded ? "" : to_string(loaded.error().front()));
-    return *loaded;
-  }
-
   DescriptionPtr imu() const {
     return description("imu", R"(BO_ 256 gyro: 6 s
  SG_ gx : 0|16@1- (0.01,0) [0|0] "deg/s" V
@@ -78,11 +56,6 @@ optional = true
 fields = [{ signal = "temp", field = "temperature_k" }]
 )");
   }
-
-  const fs::path& folder() const { return folder_; }
-
- private:
-  fs::path folder_;
 };
 
 wire::CanFrame words(std::uint32_t id, std::initializer_list<int> values) {
@@ -182,191 +155,6 @@ TEST_F(DbcSamples, AnOptionalValueThatNoSampleFollowedForTenSecondsIsForgotten) 
   bus.says(long_word(256, 200'000), 11.1);
   ASSERT_EQ(bus.all.size(), 1u);
   EXPECT_FALSE(bus.last<DepthSample>().temperature_k);
-}
-
-TEST_F(DbcSamples, AnOptionalPageOfAMultiplexedMessageComesWithTheNextSample) {
-  Bus bus(description("depth", R"(BO_ 256 X: 5 s
- SG_ page M : 0|8@1+ (1,0) [0|0] "" V
- SG_ press m0 : 8|32@1+ (1,0) [0|0] "Pa" V
- SG_ temp m1 : 8|32@1+ (0.01,0) [0|0] "K" V
-)",
-                      R"([[protocol.frames]]
-message = "X"
-fields = [
- { signal = "press", field = "pressure_pa" },
- { signal = "temp", field = "temperature_k", optional = true },
-]
-)"));
-  for (int i = 0; i < 20; ++i) {
-    bus.says(frame("100#00400D0300"), 1 + i * 0.05);       // 200000 Pa
-    bus.says(frame("100#01606D0000"), 1.0004 + i * 0.05);  // 280 K
-  }
-  EXPECT_EQ(bus.all.size(), 20u);
-  EXPECT_TRUE(bus.refusals.empty());
-  EXPECT_NEAR(*bus.last<DepthSample>().temperature_k, 280, 1e-9);
-}
-
-/// Heading, and roll and pitch, one frame each 20 ms: `attributes` may say so.
-std::string pages(const std::string& attributes) {
-  return R"(BO_ 256 X: 5 s
- SG_ page M : 0|8@1+ (1,0) [0|0] "" V
- SG_ heading m0 : 8|16@1+ (0.01,0) [0|0] "deg" V
- SG_ roll m1 : 8|16@1- (0.01,0) [0|0] "deg" V
- SG_ pitch m1 : 24|16@1- (0.01,0) [0|0] "deg" V
-BA_DEF_ BO_ "GenMsgCycleTime" INT 0 65535;
-BA_DEF_DEF_ "GenMsgCycleTime" 0;
-)" + attributes;
-}
-
-constexpr const char* attitude_of_pages = R"([[protocol.frames]]
-message = "X"
-fields = [
- { signal = "heading", field = "heading_deg" },
- { signal = "roll", field = "roll_deg" },
- { signal = "pitch", field = "pitch_deg" },
-]
-)";
-
-constexpr const char* each_20_ms = "BA_ \"GenMsgCycleTime\" BO_ 256 20;\n";
-
-/// Two depths of messages A and B with these identifiers; 80000000h marks those of 29 bits. Format
-/// 3 is J1939.
-std::string two_messages(std::uint32_t a, std::uint32_t b, int format) {
-  std::string dbc = "VERSION \"\"\nBU_: s\n";
-  for (const auto& [name, id] : {std::pair{"A", a}, {"B", b}})
-    dbc += "BO_ " + std::to_string(id) + " " + name +
-           ": 8 s\n SG_ x : 0|16@1- (0.01,0) [0|0] \"m\" V\n";
-  dbc +=
-      "BA_DEF_ BO_ \"VFrameFormat\" ENUM \"StandardCAN\",\"ExtendedCAN\",\"reserved\","
-      "\"J1939PG\";\nBA_DEF_DEF_ \"VFrameFormat\" \"StandardCAN\";\n";
-  for (const std::uint32_t id : {a, b})
-    dbc += "BA_ \"VFrameFormat\" BO_ " + std::to_string(id) + " " + std::to_string(format) + ";\n";
-  return dbc;
-}
-
-TEST_F(DbcSamples, TwoMessagesThatNoFrameTellsApartAreRefusedAndTheDbcFileIsWarnedOf) {
-  struct Case {
-    std::uint32_t a, b;
-    int format;
-    bool is_refused;
-  };
-  const Case cases[] = {
-      {100, 100, 0, true},
-      {100, 101, 0, false},
-      {100, 0x80000064, 0, false},         // 11 and 29 bits
-      {0x98FF0023, 0x8CFF0023, 3, true},   // J1939: another priority
-      {0x98FF00FE, 0x8CFF00FE, 3, true},   // of any sender
-      {0x98FF0023, 0x98FF0024, 3, false},  // another sender
-      {0x98FF00FE, 0x98FF0024, 3, false},  // any, and one of its own
-      {0x98EF1023, 0x98EF1123, 3, false},  // another destination
-      {0x98EF10FE, 0x98EF11FE, 3, true},   // of any sender a destination tells nothing
-      {0x98FF0023, 0x8CFF0023, 0, false},  // not J1939: identifiers of their own
-  };
-  for (const Case& one : cases) {
-    const std::string dbc = two_messages(one.a, one.b, one.format);
-    std::ofstream(folder() / "s.dbc") << dbc;
-    std::ofstream(folder() / "s.toml") << R"([sensor]
-title = "s"
-kind = "depth"
-[protocol]
-dbc = "s.dbc"
-[[protocol.frames]]
-message = "A"
-fields = [{ signal = "x", field = "depth_m" }]
-[[protocol.frames]]
-message = "B"
-fields = [{ signal = "x", field = "altitude_m" }]
-)";
-    const auto loaded = rig_config::load_description((folder() / "s.toml").string());
-    EXPECT_EQ(!loaded, one.is_refused) << std::hex << one.a << " " << one.b;
-    if (!loaded) {
-      EXPECT_NE(to_string(loaded.error().front())
-                    .find("s.toml:10:11: /protocol/frames/1/message: the DBC file gives B the "
-                          "identifier of A of line 6: no frame tells which of them it is"),
-                std::string::npos)
-          << to_string(loaded.error().front());
-    }
-    const auto reading = wire::dbc::read(dbc);
-    EXPECT_EQ(reading.warnings.size(), one.is_refused ? 1u : 0u);
-    if (!reading.warnings.empty()) {
-      EXPECT_EQ(reading.warnings[0].text,
-                one.a == one.b ? "a second message has this identifier; the first one holds"
-                               : "message B has the same frames as A of line 3: none tells them "
-                                 "apart");
-    }
-  }
-}
-
-TEST_F(DbcSamples, TheHalvesOfAMultiplexedMessageComeACycleApart) {
-  for (const std::string attributes : {each_20_ms, ""}) {
-    Bus bus(description("attitude", pages(attributes), attitude_of_pages));
-    for (int i = 0; i < 50; ++i) {
-      bus.says(frame("100#00A00F0000"), 1 + i * 0.04);     // 40 deg
-      bus.says(frame("100#0164009CFF"), 1.02 + i * 0.04);  // 1 and -1 deg
-    }
-    ASSERT_EQ(bus.all.size(), 50u) << attributes;
-    EXPECT_TRUE(bus.refusals.empty());
-    const auto& last = bus.last<measurement::AttitudeSample>();
-    EXPECT_NEAR(*last.true_heading_rad, 40 * emulate::degree, 1e-9);
-    EXPECT_NEAR(*last.roll_rad, emulate::degree, 1e-9);
-    EXPECT_NEAR(*last.pitch_rad, -emulate::degree, 1e-9);
-  }
-}
-
-TEST_F(DbcSamples, AHalfThatIsLostCostsNoOtherSampleThanItsOwnAndTheNext) {
-  Bus bus(description("attitude", pages(each_20_ms), attitude_of_pages));
-  for (int i = 0; i < 50; ++i) {
-    if (i != 20) bus.says(frame("100#00A00F0000"), 1 + i * 0.04);
-    if (i != 30) bus.says(frame("100#0164009CFF"), 1.02 + i * 0.04);
-  }
-  EXPECT_GE(bus.all.size(), 48u);
-  EXPECT_LE(bus.refusals.size(), 2u);
-}
-
-TEST_F(DbcSamples, TheEmulatedSensorSendsOneSelectionEachCycleTime) {
-  const auto made = description("attitude", pages(each_20_ms), attitude_of_pages);
-  const emulate::Frozen truth(emulate::under_way());
-  auto config = emulate::device(made->kind.value(), made->name, 25);
-  config.description = made;
-  std::vector<std::pair<int, Stamp>> heard;
-  Bus bus(made);
-  emulate::EmulatedBus line(
-      500'000, [&](const wire::CanFrame& one, std::size_t, const emulate::Passage& passage) {
-        heard.emplace_back(one.data[0], passage.ended_at);
-        bus.driver->receive(one, passage.ended_at, bus);
-      });
-  line.add(emulate::make_emulated_device(config, truth, 1).value());
-  shell::Lockstep lockstep(emulate::start);
-  lockstep.add(line);
-  lockstep.run_until(emulate::at_s(1.99));
-  ASSERT_EQ(heard.size(), 100u);
-  for (std::size_t i = 1; i < heard.size(); ++i) {
-    EXPECT_EQ(heard[i].first, static_cast<int>(i % 2));
-    EXPECT_NEAR(measurement::seconds(heard[i].second - heard[i - 1].second), 0.02, 1e-4);
-  }
-  EXPECT_EQ(bus.all.size(), 50u);
-}
-
-TEST_F(DbcSamples, AMessageThatSaysAllAtOnceCannotJoinOneThatSaysItInTurn) {
-  const auto problems = [&](int cycle_ms) {
-    std::ofstream(folder() / "s.dbc") << "VERSION \"\"\nBU_: s\n"
-                                      << R"(BO_ 257 R: 2 s
- SG_ rate : 0|16@1- (0.01,0) [0|0] "deg/s" V
-)" << pages(each_20_ms) << "BA_ \"GenMsgCycleTime\" BO_ 257 "
-                                      << cycle_ms << ";\n";
-    std::ofstream(folder() / "s.toml")
-        << "[sensor]\ntitle = \"s\"\nkind = \"attitude\"\n[protocol]\ndbc = \"s.dbc\"\n"
-        << attitude_of_pages << R"([[protocol.frames]]
-message = "R"
-fields = [{ signal = "rate", field = "rate_of_turn_degps" }]
-)";
-    const auto loaded = rig_config::load_description((folder() / "s.toml").string());
-    return loaded ? "" : to_string(loaded.error().front());
-  };
-  EXPECT_EQ(problems(40), "");
-  EXPECT_NE(problems(20).find("its cycle time is 20 ms, and that of line 6 is 40 ms"),
-            std::string::npos)
-      << problems(20);
 }
 
 /// How often each identifier comes from the emulated sensor.
