@@ -44,7 +44,7 @@ constexpr auto table = std::to_array<CauseFacts>({
     {Cause::damaged, "damaged", k_damaged, "frames arrive damaged", "look at the cable, its length and its ground; try a lower baud rate"},
     {Cause::foreign_bytes, "garbage", k_foreign, "bytes come that belong to no frame", "does another device or a console talk on this line, or does the sensor wait at its prompt?"},
     {Cause::wrong_baud, "wrong-baud", k_wrong_baud, "bytes come and none makes sense", "`drydock probe` finds rate and protocol", true},
-    {Cause::bus_off, "bus-off", k_bus_off, "this computer's CAN controller left the bus", "look at termination and bit rate; set restart-ms", true},
+    {Cause::bus_off, "bus-off", k_bus_off, "this computer's CAN controller left the bus", "look at termination and bit rate; then set the interface down and up", true},
     {Cause::error_frames, "error-frames", k_error_frames, "the CAN controller sees errors on the bus", "look at termination, ground and bit rate"},
     {Cause::bus_load, "bus-load", k_bus_load, "other nodes take the bus", "find the node that sends most: `drydock monitor` shows identifiers"},
     {Cause::address_stolen, "address-stolen", k_stolen, "another node claims the device's address", "give one of the two another address", true},
