@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "hil/score/pairs.hpp"
@@ -17,8 +18,8 @@ enum class Alignment : std::uint8_t {
 };
 inline constexpr std::array alignment_names{"none", "start", "yaw", "rigid"};
 
-/// Moves the estimates, their attitudes and their covariances. Fewer than three pairs, or no
-/// movement at all, cannot be turned: then `yaw` and `rigid` only shift, and the answer is false.
-bool align(std::vector<Pair>& pairs, Alignment alignment);
+/// Moves the estimates, their attitudes, velocities and covariances. What the pairs do not tell is
+/// not moved; the answer says so, for a person. Empty: all was.
+std::string align(std::vector<Pair>& pairs, Alignment alignment);
 
 }  // namespace drydock::score

@@ -5,18 +5,13 @@
 namespace drydock::score {
 
 /// East-north-up to north-east-down, and back.
-inline Eigen::Vector3d ned_of_enu(const Eigen::Vector3d& v) { return {v.y(), v.x(), -v.z()}; }
-
-inline Eigen::Matrix3d ned_of_enu(const Eigen::Matrix3d& covariance) {
-  const Eigen::Matrix3d swap{{0, 1, 0}, {1, 0, 0}, {0, 0, -1}};
-  return swap * covariance * swap.transpose();
-}
+inline const Eigen::Matrix3d enu_to_ned{{0, 1, 0}, {1, 0, 0}, {0, 0, -1}};
+/// Forward-left-up to forward-right-down, and back.
+inline const Eigen::Matrix3d flu_to_frd{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
 
 /// From body (forward, left, up) to ENU, to body (forward, right, down) to NED.
 inline Eigen::Quaterniond ned_of_enu(const Eigen::Quaterniond& flu_to_enu) {
-  const Eigen::Matrix3d swap{{0, 1, 0}, {1, 0, 0}, {0, 0, -1}};
-  const Eigen::Matrix3d flip = Eigen::Vector3d{1, -1, -1}.asDiagonal();
-  return Eigen::Quaterniond(swap * flu_to_enu.normalized().toRotationMatrix() * flip);
+  return Eigen::Quaterniond(enu_to_ned * flu_to_enu.normalized().toRotationMatrix() * flu_to_frd);
 }
 
 }  // namespace drydock::score

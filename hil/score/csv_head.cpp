@@ -31,14 +31,22 @@ std::vector<std::string> csv_cells(std::string_view line) {
   return cells;
 }
 
-CsvHead::CsvHead(std::string_view line) : names_(csv_cells(line)) {}
+CsvHead::CsvHead(std::string_view line) : names_(csv_cells(line)) {
+  constexpr std::array<std::pair<const char*, const char*>, 2> also{
+      {{"yaw_deg", "heading_deg"}, {"altitude_m", "height_m"}}};
+  for (const auto& [other, name] : also) std::ranges::replace(names_, other, name);
+}
 
 bool CsvHead::has(std::string_view name) const {
   return std::ranges::find(names_, name) != names_.end();
 }
 
-bool CsvHead::has(const CsvGroup& group) const {
-  return std::ranges::all_of(group, [this](const char* name) { return has(name); });
+bool CsvHead::has_any(const CsvGroup& group) const {
+  return std::ranges::any_of(group, [this](const char* name) { return has(name); });
+}
+
+bool CsvHead::has_quaternion() const {
+  return std::ranges::all_of(csv_quaternion, [this](const char* name) { return has(name); });
 }
 
 std::size_t CsvHead::at(std::string_view name) const {
@@ -51,21 +59,30 @@ std::string CsvHead::misfit() const {
       return fmt::format("two columns are named {}", listed({name}));
   if (!has("t_s") && !has("valid_at_ns"))
     return fmt::format("no column t_s or valid_at_ns; there are: {}", listed(names_));
-  if (!has(csv_geodetic) && !has(csv_local))
+  if (!has_geodetic() && !has(csv_geodetic[2]) && !has_any(csv_local) && !has_any(csv_angles) &&
+      !has_quaternion() && !has_any(csv_velocity) && !has_any(csv_body_velocity))
     return fmt::format(
-        "no columns latitude_deg, longitude_deg, height_m, or north_m, east_m, down_m; there are: "
-        "{}",
-        listed(names_));
+        "no column of a position, an attitude or a velocity: {}, {}, {}, {}, {}, {}; there are: {}",
+        fmt::join(csv_geodetic, ", "), fmt::join(csv_local, ", "), fmt::join(csv_angles, ", "),
+        fmt::join(csv_quaternion, ", "), fmt::join(csv_velocity, ", "),
+        fmt::join(csv_body_velocity, ", "), listed(names_));
   return {};
 }
 
 std::vector<std::string> CsvHead::incomplete() const {
   std::vector<std::string> notes;
-  for (const auto& group : {csv_angles, csv_sigmas})
-    for (const char* name : group)
-      if (has(name) && !has(group))
-        notes.push_back(fmt::format("column {} is not read: it needs {}, all three", name,
-                                    fmt::join(group, ", ")));
+  const auto note = [&](const char* name, const auto& needed) {
+    notes.push_back(
+        fmt::format("column {} is not read: it needs all of {}", name, fmt::join(needed, ", ")));
+  };
+  const std::array places{csv_geodetic[0], csv_geodetic[1]};
+  for (const char* name : places)
+    if (has(name) && !has_geodetic()) note(name, places);
+  for (const char* name : csv_quaternion)
+    if (has(name) && !has_quaternion()) note(name, csv_quaternion);
+  if (has_any(csv_body_velocity) && has_any(csv_velocity))
+    notes.push_back(fmt::format("columns {} are not read: the velocity is that of {}",
+                                fmt::join(csv_body_velocity, ", "), fmt::join(csv_velocity, ", ")));
   return notes;
 }
 

@@ -17,11 +17,18 @@ class LengthSum {
     sum_ += length;
     max_ = std::max(max_, length);
   }
+  void add(const std::optional<double>& length) {
+    if (length) add(*length);
+  }
   std::uint64_t count() const { return count_; }
   std::optional<Lengths> result() const {
     if (count_ == 0) return {};
     const auto n = static_cast<double>(count_);
     return Lengths{std::sqrt(square_ / n), sum_ / n, max_};
+  }
+  std::optional<double> rms() const {
+    const auto all = result();
+    return all ? std::optional(all->rms) : std::nullopt;
   }
 
  private:
@@ -29,12 +36,15 @@ class LengthSum {
   double square_ = 0, sum_ = 0, max_ = 0;
 };
 
-inline double angle_deg(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
-  return a.angularDistance(b) * units::degrees_per_radian;
+/// Of the numbers that are told; empty: none is.
+inline std::optional<double> told_length(const Eigen::Vector3d& error) {
+  const auto is_told = !error.array().isNaN();
+  if (!is_told.any()) return {};
+  return is_told.select(error, 0).matrix().norm();
 }
 
-inline bool has_attitudes(const Pair& pair) {
-  return pair.estimate.body_to_ned && pair.truth.body_to_ned;
+inline double angle_deg(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+  return a.angularDistance(b) * units::degrees_per_radian;
 }
 
 }  // namespace drydock::score

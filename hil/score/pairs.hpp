@@ -9,7 +9,7 @@
 namespace drydock::score {
 
 struct Pair {
-  Pose estimate, truth;  ///< of the same time
+  State estimate, truth;  ///< of the same time
 };
 
 struct Pairs {
@@ -20,8 +20,8 @@ struct Pairs {
   std::uint64_t out_of_order = 0;   ///< estimates that are not later than the one before
 };
 
-/// The truth at the time of each estimate, between two of its poses that are at most `longest_gap`
-/// apart: positions along a line, attitudes along the shortest turn.
+/// The truth at the time of each estimate, between two of its states that are at most `longest_gap`
+/// apart: positions and velocities along a line, attitudes along the shortest turn.
 Pairs pairs_of(const Track& estimates, const Track& truth, std::chrono::nanoseconds longest_gap);
 
 }  // namespace drydock::score

@@ -5,8 +5,10 @@
 #include <limits>
 
 #include "drivers/measurement/units.hpp"
-#include "estimators/frame/attitude.hpp"
+#include "drivers/text/printable.hpp"
+#include "hil/score/attitude.hpp"
 #include "hil/score/csv_head.hpp"
+#include "hil/score/geodetic_place.hpp"
 #include "hil/score/numbers.hpp"
 #include "hil/score/passed_over.hpp"
 #include "hil/score/read_estimates.hpp"
@@ -18,6 +20,7 @@ using Eigen::Vector3d;
 
 /// Seconds as a double are off by 0.2 us.
 constexpr std::chrono::microseconds same_time{1};
+constexpr double same_attitude_rad = 1e-3;
 
 class CsvReader {
  public:
@@ -32,12 +35,21 @@ class CsvReader {
       note(fmt::format("not the {} cells of line 1, left out", head_.size()));
       return {};
     }
-    if (head_.has(csv_geodetic))
-      if (auto why = no_place(three(csv_geodetic)); !why.empty()) return why;
-    const auto at = time();
-    const Vector3d position = place();
-    if (!at || !position.allFinite()) return "a time or a position is no number";
-    out_.track.push_back({*at, position, attitude(), covariance()});
+    State state;
+    state.at = time().value_or(state.at);
+    state.position_ned = place();
+    state.angles = angles();
+    state.velocity_in_body = !head_.has_any(csv_velocity) && head_.has_any(csv_body_velocity);
+    state.velocity = three(state.velocity_in_body ? csv_body_velocity : csv_velocity);
+    state.position_m2 = covariance(csv_local_sigmas, 1);
+    state.angles_rad2 = covariance(csv_angle_sigmas, units::degree);
+    state.velocity_m2ps2 =
+        covariance(state.velocity_in_body ? csv_body_velocity_sigmas : csv_velocity_sigmas, 1);
+    if (!wrong_.empty()) return wrong_;
+    if (state.says_anything())
+      out_.track.push_back(state);
+    else
+      note("it has a time and nothing else, left out");
     return {};
   }
 
@@ -49,22 +61,22 @@ class CsvReader {
 
  private:
   void note(const std::string& why) { passed_over_.add(why, number_); }
-  const std::string& cell(const char* name) const { return cells_[head_.at(name)]; }
-  Vector3d three(const CsvGroup& group) const {
-    Vector3d values;
-    for (Eigen::Index i = 0; i < 3; ++i)
-      values[i] = number_of(cell(group.at(static_cast<std::size_t>(i))))
-                      .value_or(std::numeric_limits<double>::quiet_NaN());
-    return values;
+  void refuse(std::string why) {
+    if (wrong_.empty()) wrong_ = std::move(why);
   }
+  const std::string& cell(const char* name) const { return cells_[head_.at(name)]; }
 
-  /// Columns in each other's place often show here: a longitude may be above 90.
-  static std::string no_place(const Vector3d& geodetic) {
-    if (std::abs(geodetic.x()) > 90)
-      return fmt::format("latitude_deg = {}, allowed: -90 to 90", geodetic.x());
-    if (std::abs(geodetic.y()) > 360)
-      return fmt::format("longitude_deg = {}, allowed: -360 to 360", geodetic.y());
-    return {};
+  /// NaN where there is no such column, or an empty cell.
+  double number(const char* name) {
+    constexpr double nobody = std::numeric_limits<double>::quiet_NaN();
+    if (!head_.has(name) || cell(name).empty()) return nobody;
+    const auto value = number_of(cell(name));
+    if (value && !std::isinf(*value)) return *value;
+    refuse(fmt::format("{} = \"{}\" is no number", name, text::printable(cell(name))));
+    return nobody;
+  }
+  Vector3d three(const CsvGroup& group) {
+    return {number(group[0]), number(group[1]), number(group[2])};
   }
 
   std::optional<measurement::Stamp> time() {
@@ -73,40 +85,59 @@ class CsvReader {
     const auto s = has_s ? stamp_of_seconds(cell("t_s")) : std::nullopt;
     if (has_ns && has_s && ns && !(s && std::chrono::abs(*s - *ns) <= same_time))
       note("t_s is not the time of valid_at_ns, which is taken");
-    return has_ns ? ns : s;
+    const auto at = has_ns ? ns : s;
+    const char* name = has_ns ? "valid_at_ns" : "t_s";
+    if (!at) refuse(fmt::format("{} = \"{}\" is no time", name, text::printable(cell(name))));
+    return at;
+  }
+
+  /// Without a height the place is at that of the origin, and down is not told.
+  Vector3d geodetic() {
+    const Vector3d v = three(csv_geodetic);
+    // Columns in each other's place often show here: a longitude may be above 90.
+    if (std::abs(v.x()) > 90) refuse(fmt::format("latitude_deg = {}, allowed: -90 to 90", v.x()));
+    if (std::abs(v.y()) > 360)
+      refuse(fmt::format("longitude_deg = {}, allowed: -360 to 360", v.y()));
+    return place_of({v.x() * units::degree, v.y() * units::degree, v.z()}, origin_);
   }
 
   /// Metres count from the first truth. A file may have them on a plane: 1 in 1000 is no
   /// disagreement.
   Vector3d place() {
-    const bool has_local = head_.has(csv_local), has_geodetic = head_.has(csv_geodetic);
-    Vector3d local = has_local ? three(csv_local) : Vector3d::Zero();
-    if (!has_geodetic) return local;
-    const Vector3d v = three(csv_geodetic);
-    Vector3d geodetic =
-        frame::ned_offset(origin_, {v.x() * units::degree, v.y() * units::degree, v.z()});
-    if (!has_local) return geodetic;
-    if (!((geodetic - local).norm() <= 0.1 + 1e-3 * local.norm()))
+    const bool has_local = head_.has_any(csv_local);
+    const Vector3d local = three(csv_local);
+    if (!head_.has_geodetic() && !head_.has(csv_geodetic[2])) return local;
+    const Vector3d from_degrees = geodetic();
+    if (!has_local) return from_degrees;
+    if ((from_degrees - local).norm() > 0.1 + 1e-3 * local.norm())
       note(
           "latitude_deg, longitude_deg, height_m are not the place of north_m, east_m, down_m, "
           "which are taken");
-    return local;
+    return local.array().isNaN().select(from_degrees, local);
+  }
+
+  Vector3d angles() {
+    const Vector3d told = three(csv_angles) * units::degree;
+    if (!head_.has_quaternion()) return told;
+    const Vector3d turned = angles_of_quaternion();
+    if ((turns_between(told, turned).array().abs() > same_attitude_rad).any())
+      note("qw, qx, qy, qz are not roll_deg, pitch_deg, heading_deg, which are taken");
+    return told.array().isNaN().select(turned, told);
+  }
+
+  Vector3d angles_of_quaternion() {
+    const Eigen::Quaterniond q(number("qw"), number("qx"), number("qy"), number("qz"));
+    if (q.coeffs().hasNaN()) return untold();
+    if (std::abs(q.norm() - 1) < 0.01) return angles_of(q.normalized());
+    note("the length of qw, qx, qy, qz is not 1, the attitude is left out");
+    return untold();
   }
 
   /// An empty cell says that there is none.
-  std::optional<Eigen::Quaterniond> attitude() {
-    if (!head_.has(csv_angles)) return {};
-    const Vector3d angles = three(csv_angles) * units::degree;
-    if (angles.allFinite()) return frame::body_to_ned({angles.x(), angles.y(), angles.z()});
-    note("an angle is no number, the attitude is left out");
-    return {};
-  }
-
-  std::optional<Eigen::Matrix3d> covariance() {
-    if (!head_.has(csv_sigmas)) return {};
-    const Vector3d sigmas = three(csv_sigmas);
-    if (sigmas.allFinite() && (sigmas.array() > 0).all())
-      return Eigen::Matrix3d(sigmas.cwiseAbs2().asDiagonal());
+  std::optional<Eigen::Matrix3d> covariance(const CsvGroup& sigmas_of, double unit) {
+    const Vector3d sigmas = three(sigmas_of) * unit;
+    if (sigmas.array().isNaN().all()) return {};
+    if (!(sigmas.array() <= 0).any()) return Eigen::Matrix3d(sigmas.cwiseAbs2().asDiagonal());
     note("a standard deviation is not above 0, the covariance is left out");
     return {};
   }
@@ -115,6 +146,7 @@ class CsvReader {
   const frame::Position& origin_;
   std::uint64_t number_ = 0;
   std::vector<std::string> cells_;
+  std::string wrong_;
   PassedOver passed_over_{"line"};
   Estimates out_;
 };

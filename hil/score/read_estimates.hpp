@@ -14,15 +14,15 @@ namespace drydock::score {
 /// problems.
 boost::system::result<Estimates, Problem> read_tum(std::istream& in, const std::string& name);
 
-/// A first line with names of columns, in any order: `t_s` or `valid_at_ns`; `latitude_deg`,
-/// `longitude_deg`, `height_m` or `north_m`, `east_m`, `down_m`; if there are any, `roll_deg`,
-/// `pitch_deg`, `heading_deg` and `north_sigma_m`, `east_sigma_m`, `down_sigma_m`. Places count
-/// from `origin`.
+/// A first line with names of columns, in any order: csv_head.hpp has them. Needed are a time, and
+/// a column of a position, an attitude or a velocity. Places count from `origin`.
 boost::system::result<Estimates, Problem> read_csv(std::istream& in, const std::string& name,
                                                    const frame::Position& origin);
 
-/// A topic of nav_msgs/Odometry of an MCAP file; empty: its only one.
-boost::system::result<Estimates, Problem> read_odometry(const std::string& path,
-                                                        const std::string& topic);
+/// A topic of an MCAP file, of a type in message_state.hpp; empty: the only one that gives
+/// estimates. Places in degrees count from `origin`.
+boost::system::result<Estimates, Problem> read_mcap(const std::string& path,
+                                                    const std::string& topic,
+                                                    const frame::Position& origin);
 
 }  // namespace drydock::score

@@ -4,6 +4,7 @@
 
 #include "drivers/recordings/record/recording.hpp"
 #include "hil/replay/recorded_truth.hpp"
+#include "hil/score/attitude.hpp"
 
 namespace drydock::score {
 namespace {
@@ -17,7 +18,10 @@ class TruthKeeper final : public host::Follower {
     const frame::Position at{n.latitude_rad, n.longitude_rad, n.height_m};
     if (kept.track.empty()) kept.origin = at;
     if (!kept.track.empty() && n.valid_at <= kept.track.back().at) return;  // of another estimator
-    kept.track.push_back({n.valid_at, frame::ned_offset(kept.origin, at), n.body_to_ned, {}});
+    kept.track.push_back({.at = n.valid_at,
+                          .position_ned = frame::ned_offset(kept.origin, at),
+                          .angles = angles_of(n.body_to_ned),
+                          .velocity = n.velocity_ned});
   }
   Truth kept;
 };

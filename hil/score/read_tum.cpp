@@ -4,6 +4,7 @@
 #include <limits>
 #include <sstream>
 
+#include "hil/score/attitude.hpp"
 #include "hil/score/axes.hpp"
 #include "hil/score/csv_head.hpp"
 #include "hil/score/numbers.hpp"
@@ -19,7 +20,7 @@ std::vector<std::string> words_of(std::string_view line) {
   return words;
 }
 
-boost::system::result<Pose, Problem> tum_pose(const std::vector<std::string>& words) {
+boost::system::result<State, Problem> tum_pose(const std::vector<std::string>& words) {
   if (words.size() != 8) return Problem{"not t x y z qx qy qz qw"};
   const auto at = stamp_of_seconds(words[0]);
   const auto number = [&](std::size_t i) {
@@ -34,7 +35,8 @@ boost::system::result<Pose, Problem> tum_pose(const std::vector<std::string>& wo
     return Problem{"a value of the pose is no number"};
   if (const double norm = q.norm(); !(std::abs(norm - 1) < 0.01))
     return Problem{fmt::format("the quaternion's length is {:.3g}, allowed: 0.99 to 1.01", norm)};
-  return Pose{*at, ned_of_enu(position), ned_of_enu(q), {}};
+  return State{
+      .at = *at, .position_ned = enu_to_ned * position, .angles = angles_of(ned_of_enu(q))};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "hil/score/relative_errors.hpp"
 
+#include "hil/score/attitude.hpp"
 #include "hil/score/lengths.hpp"
 
 namespace drydock::score {
@@ -7,29 +8,40 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The way from one pose to another, in the body axes of the first if both sides have them.
-Vector3d way(const Pose& from, const Pose& to, bool in_body) {
+bool has_attitudes(const Pair& pair) {
+  return pair.estimate.angles.allFinite() && pair.truth.angles.allFinite();
+}
+
+/// The way from one state to another, in the body axes of the first if both sides have them.
+Vector3d way(const State& from, const State& to, bool in_body) {
   const Vector3d ned = to.position_ned - from.position_ned;
-  return in_body ? Vector3d(from.body_to_ned->conjugate() * ned) : ned;
+  return in_body ? Vector3d(attitude_of(from)->conjugate() * ned) : ned;
+}
+
+Eigen::Quaterniond turn(const State& from, const State& to) {
+  return attitude_of(from)->conjugate() * *attitude_of(to);
 }
 
 class RelativeErrors {
  public:
   void add(const Pair& a, const Pair& b) {
     const bool turned = has_attitudes(a) && has_attitudes(b);
-    way_.add((way(a.estimate, b.estimate, turned) - way(a.truth, b.truth, turned)).norm());
-    if (!turned) return;
-    turn_.add(angle_deg(a.estimate.body_to_ned->conjugate() * *b.estimate.body_to_ned,
-                        a.truth.body_to_ned->conjugate() * *b.truth.body_to_ned));
+    const bool in_body = turned && (a.estimate.position_ned - b.estimate.position_ned).allFinite();
+    const auto length =
+        told_length(way(a.estimate, b.estimate, in_body) - way(a.truth, b.truth, in_body));
+    way_.add(length);
+    if (turned) turn_.add(angle_deg(turn(a.estimate, b.estimate), turn(a.truth, b.truth)));
+    if (length || turned) ++pairs_;
   }
   void write(Errors& errors) const {
-    errors.rpe_pairs = way_.count();
+    errors.rpe_pairs = pairs_;
     errors.rpe_m = way_.result();
     errors.rpe_deg = turn_.result();
   }
 
  private:
   LengthSum way_, turn_;
+  std::uint64_t pairs_ = 0;
 };
 
 }  // namespace

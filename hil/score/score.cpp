@@ -26,7 +26,7 @@ boost::system::result<Estimates, Problem> read_track(const ScoreOptions& options
                                                      const frame::Position& origin) {
   const std::string& path = options.estimates;
   const std::string format = options.format.empty() ? ending_of(path) : options.format;
-  if (format == "mcap") return read_odometry(path, options.topic);
+  if (format == "mcap") return read_mcap(path, options.topic, origin);
   if (!options.topic.empty())
     throw std::invalid_argument("--topic is of an MCAP file; other files have one track");
   if (const auto why = rig_config::file_trouble(path); !why.empty())
@@ -40,7 +40,7 @@ boost::system::result<Estimates, Problem> read_track(const ScoreOptions& options
 /// Why no estimate has a truth, where the times tell it; else empty.
 std::string no_pair_of(const Track& estimates, const Track& truth) {
   if (estimates.empty()) return {};
-  const auto [first, last] = std::ranges::minmax(estimates, {}, &Pose::at);
+  const auto [first, last] = std::ranges::minmax(estimates, {}, &State::at);
   if (last.at >= truth.front().at && first.at <= truth.back().at) return {};
   const auto s = [](measurement::Stamp at) { return measurement::seconds(at.time_since_epoch()); };
   return fmt::format(
@@ -86,10 +86,8 @@ int score(const ScoreOptions& options, std::FILE* out, std::FILE* err) try {
     estimates->notes.push_back(fmt::format(
         "{} estimates are in gaps of the truth, of up to {:.2f} s: --longest-gap {:.2f} takes them",
         pairs.in_gaps, pairs.widest_gap_s, std::ceil(100 * pairs.widest_gap_s) / 100));
-  if (!align(pairs.all, options.alignment))
-    estimates->notes.emplace_back(
-        "the turn of the alignment is not determined: fewer than three estimates with a truth, or "
-        "no movement; they were only shifted, and the shift takes of the error what it can");
+  if (auto note = align(pairs.all, options.alignment); !note.empty())
+    estimates->notes.push_back(std::move(note));
   const auto errors = errors_of(pairs.all, measurement::from_seconds(options.interval_s));
   const auto& notes = estimates->notes;
   fmt::print(out, "{}",

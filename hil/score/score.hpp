@@ -10,7 +10,7 @@ namespace drydock::score {
 struct ScoreOptions {
   std::string estimates, truth;  ///< files
   std::string format;            ///< "csv", "tum", "mcap"; empty: by the name of the file
-  std::string topic;             ///< of nav_msgs/Odometry in an MCAP file; empty: its only one
+  std::string topic;             ///< of an MCAP file; empty: the only one with estimates
   Alignment alignment = Alignment::none;
   double interval_s = 1, longest_gap_s = 0.2;
   bool json = false;
