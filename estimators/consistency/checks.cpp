@@ -60,6 +60,7 @@ Checks::Checks(const std::vector<Sensor>& sensors, diagnosis::SymptomSink& to)
       speeds_(tracks_),
       headings_(tracks_),
       heights_(tracks_, constants_),
+      immersion_(tracks_),
       levels_(tracks_),
       attitudes_(tracks_),
       places_(tracks_),
@@ -113,6 +114,7 @@ void Checks::step(Stamp at) {
   constants_.step(moment, distrusted);
   speeds_.step(moment, distrusted);
   heights_.step(moment, distrusted);
+  immersion_.step(moment, distrusted);
   levels_.step(moment, acceleration(moment));
   attitudes_.step(moment);
   places_.step(moment);
@@ -229,7 +231,9 @@ void Checks::tell(Stamp now) const {
              .quantity = test.facts().quantity,
              .unit = test.facts().unit});
   }
-  constants_.tell(now, to_);
+  constants_.tell(now, to_, !speeds_.off());
+  immersion_.tell(now, to_);
+  speeds_.tell(now, to_);
 }
 
 }  // namespace drydock::consistency

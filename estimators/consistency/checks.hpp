@@ -5,6 +5,7 @@
 #include "estimators/consistency/constants.hpp"
 #include "estimators/consistency/headings.hpp"
 #include "estimators/consistency/heights.hpp"
+#include "estimators/consistency/immersion.hpp"
 #include "estimators/consistency/levels.hpp"
 #include "estimators/consistency/parity.hpp"
 #include "estimators/consistency/places.hpp"
@@ -46,6 +47,7 @@ class Checks {
   Speeds speeds_;
   Headings headings_;
   Heights heights_;
+  Immersion immersion_;
   Levels levels_;
   Attitudes attitudes_;
   Places places_;

@@ -85,7 +85,7 @@ void Constants::end(Dvl& dvl, double depth_m) {
   dvl.begun.reset();
 }
 
-void Constants::tell(Stamp now, diagnosis::SymptomSink& to) const {
+void Constants::tell(Stamp now, diagnosis::SymptomSink& to, bool scales) const {
   for (const Dvl& dvl : dvls_) {
     diagnosis::Symptom sign;
     sign.device = dvl.device, sign.since = dvl.first, sign.at = now;
@@ -104,7 +104,8 @@ void Constants::tell(Stamp now, diagnosis::SymptomSink& to) const {
       say(Sign::rotated, constant.value[1] / degree, least_pitch / degree,
           "pitch against the depth", "deg");
     const auto& factor = dvl.factor;
-    if (dvl.scale.count() > fewest && is_told(factor.value[0], factor.sigma(0), least_scale))
+    if (scales && dvl.scale.count() > fewest &&
+        is_told(factor.value[0], factor.sigma(0), least_scale))
       say(Sign::scale, -100 * factor.value[0], 100 * least_scale, "speed error against GNSS", "%");
   }
 }

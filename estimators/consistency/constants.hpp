@@ -35,8 +35,8 @@ class Constants {
     return dvls_[dvl].constant.value.dot(terms(velocity, down));
   }
 
-  /// Repeats the signs that last.
-  void tell(Stamp now, diagnosis::SymptomSink& to) const;
+  /// Repeats the signs that last. `scales`: no third sensor has told whose speed is off.
+  void tell(Stamp now, diagnosis::SymptomSink& to, bool scales = true) const;
 
  private:
   /// Sums of one window.

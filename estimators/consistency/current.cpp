@@ -5,18 +5,18 @@
 namespace drydock::consistency {
 namespace {
 
-constexpr double first_current_mps = 0.5, first_offset_mps = 0.1;  // 1 sigma
-constexpr double current_walk = 0.004, offset_walk = 0.0005;       // m/s/sqrt(s)
-constexpr double noise_mps = 0.1;                                  // of one comparison
-constexpr double unlikely = 6;                                     // sigmas; no water does that
+constexpr double first_current_mps = 0.5;                     // 1 sigma
+constexpr double current_walk = 0.004, offset_walk = 0.0005;  // m/s/sqrt(s)
+constexpr double noise_mps = 0.1;                             // of one comparison
+constexpr double unlikely = 6;                                // sigmas; no water does that
 
 double squared(double x) { return x * x; }
 
 }  // namespace
 
-Current::Current()
+Current::Current(double offset_sigma_mps)
     : covariance_(Eigen::Vector4d(squared(first_current_mps), squared(first_current_mps),
-                                  squared(first_offset_mps), squared(first_offset_mps))
+                                  squared(offset_sigma_mps), squared(offset_sigma_mps))
                       .asDiagonal()) {}
 
 Current::Row Current::row(int axis, double heading) {
@@ -27,6 +27,10 @@ Current::Row Current::row(int axis, double heading) {
 Eigen::Vector2d Current::at(double heading) const {
   return {row(0, heading).dot(state_), row(1, heading).dot(state_)};
 }
+
+Eigen::Vector2d Current::water_at(double heading) const { return at(heading) - state_.tail<2>(); }
+
+double Current::offset_sigma() const { return std::sqrt(covariance_(2, 2)); }
 
 double Current::variance(double heading) const {
   const Row h = row(0, heading);

@@ -9,10 +9,17 @@ namespace drydock::consistency {
 /// across current that no turn has shown yet makes the speed uncertain, not wrong.
 class Current {
  public:
-  Current();
+  /// `offset_sigma_mps`: 1 sigma of the log's own offset beforehand.
+  explicit Current(double offset_sigma_mps = usual_offset_mps);
+  static constexpr double usual_offset_mps = 0.1;
 
   /// Along and across, m/s, at a heading from any zero.
   Eigen::Vector2d at(double heading) const;
+  /// The same without the log's own offset.
+  Eigen::Vector2d water_at(double heading) const;
+  /// The log's own offset ahead, m/s: so much the log reads too little.
+  double offset() const { return state_[2]; }
+  double offset_sigma() const;
   /// Variance of the part along, (m/s)2.
   double variance(double heading) const;
 

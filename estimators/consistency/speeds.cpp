@@ -37,6 +37,7 @@ constexpr TestFacts ahead_facts{
     .floor = 0.3, .wander = 0.003, .late_s = 0.25, .quantity = "speed ahead", .unit = "m/s"};
 
 constexpr double usual_current_mps = 0.3;
+constexpr double any_offset_mps = 1;       // 1 sigma of a log that may be wrong
 constexpr double unknown_slope_rad = 0.2;  // 1 sigma of a pitch that no device tells
 
 }  // namespace
@@ -56,6 +57,8 @@ Speeds::Speeds(const Tracks& tracks) : tracks_(tracks) {
   for (const auto& log : tracks.logs)
     logs_ahead_.push_back(ahead_.add({log.device}, ahead_facts, &log.speed.freeze()));
   currents_.resize(logs_.size());
+  off_currents_.resize(logs_.size(), Current(any_offset_mps));
+  compared_.resize(logs_.size());
   learned_.resize(logs_.size());
   surges_.resize(shafts_.size());
 }
@@ -142,7 +145,8 @@ double Speeds::starboard(const Moment& moment) {
 }
 
 Eigen::Vector2d Speeds::current(const Moment& moment) const {
-  return currents_.empty() ? Eigen::Vector2d::Zero().eval() : currents_[0].at(moment.heading);
+  if (currents_.empty()) return Eigen::Vector2d::Zero();
+  return is_log_off() ? currents_[0].water_at(moment.heading) : currents_[0].at(moment.heading);
 }
 
 bool Speeds::is_quiet(std::size_t witness) const {
@@ -158,12 +162,65 @@ void Speeds::learn(const Moment& moment) {
 void Speeds::learn_currents(const Moment& moment) {
   for (std::size_t i = 0; i < logs_.size(); ++i) {
     const auto read = tracks_.logs[i].speed.at(moment.at);
-    if (!read || !moment.along_deck || !is_quiet(logs_[i])) continue;
-    if (read->serial == learned_[i]) continue;
+    if (!read || !moment.along_deck || read->serial == compared_[i]) continue;
+    compared_[i] = read->serial;
+    const auto follow = [&](Current& current) {
+      current.follow(*moment.along_deck - water(i, read->value, moment), tracks_.logs[i].across,
+                     moment.heading, 1 / tracks_.logs[i].sensor.rate_hz);
+    };
+    if (moment.heading_known) follow(off_currents_[i]);
+    if (!is_quiet(logs_[i])) continue;
     learned_[i] = read->serial;
-    currents_[i].follow(*moment.along_deck - water(i, read->value, moment), tracks_.logs[i].across,
-                        moment.heading, 1 / tracks_.logs[i].sensor.rate_hz);
+    follow(currents_[i]);
   }
+  if (!logs_.empty() && moment.along_deck && moment.heading_known) judge_offset(moment.at);
+}
+
+/// By the offsets that they had from the start: tests that fire keep them.
+std::optional<double> Speeds::dvl_over_receiver() const {
+  const auto offset_of = [&](const std::vector<std::size_t>& kind) -> std::optional<double> {
+    if (kind.empty() || kind[0] >= Group::most) return {};
+    const Test& test = group_.witnesses()[kind[0]].test;
+    return test.learned() ? std::optional(test.offset()) : std::nullopt;
+  };
+  const auto dvl = offset_of(dvls_), receiver = offset_of(receivers_);
+  return dvl && receiver ? std::optional(*dvl - *receiver) : std::nullopt;
+}
+
+/// Of the first DVL, receiver and log. What was learned of the water with a log that was off begins
+/// anew.
+void Speeds::judge_offset(Stamp at) {
+  if (!first_) first_ = at;
+  const bool was_log = is_log_off();
+  const auto over_receiver = dvl_over_receiver();
+  off_ = over_receiver ? first_offset(*over_receiver, off_currents_[0].offset(),
+                                      off_currents_[0].offset_sigma())
+                       : std::nullopt;
+  if (!is_log_off() || was_log) return;
+  currents_[0] = off_currents_[0];
+  group_.restart(logs_[0]);
+  for (std::size_t i = 0; i < shafts_.size(); ++i) {
+    surges_[i] = {};
+    group_.restart(shafts_[i]);
+  }
+}
+
+bool Speeds::is_log_off() const { return off_ && off_->of == FirstOffset::Of::log; }
+
+void Speeds::tell(Stamp now, diagnosis::SymptomSink& to) const {
+  if (!off_) return;
+  using Of = FirstOffset::Of;
+  const bool of_log = off_->of == Of::log;
+  to.see({.device = of_log                ? tracks_.logs[0].device
+                    : off_->of == Of::dvl ? tracks_.dvls[0].device
+                                          : tracks_.receivers[0].device,
+          .sign = diagnosis::Sign::offset,
+          .since = *first_,
+          .at = now,
+          .value = off_->off_mps,
+          .limit = of_log ? FirstOffset::least_of_log_mps : FirstOffset::least_mps,
+          .quantity = of_log ? "speed through the water from the start" : "speed from the start",
+          .unit = "m/s"});
 }
 
 /// The mean of all that is quiet, but for the shafts.

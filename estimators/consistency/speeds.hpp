@@ -1,6 +1,8 @@
 #pragma once
 
+#include "drivers/diagnosis/symptom.hpp"
 #include "estimators/consistency/current.hpp"
+#include "estimators/consistency/first_offset.hpp"
 #include "estimators/consistency/group.hpp"
 #include "estimators/consistency/moment.hpp"
 #include "estimators/consistency/surge.hpp"
@@ -28,6 +30,11 @@ class Speeds {
   /// The speed along the deck less the current; empty if nothing tells how the water moves.
   std::optional<double> through_water(const Moment& moment) const;
 
+  /// One of three speeds was off from the start on.
+  const std::optional<FirstOffset>& off() const { return off_; }
+  /// Repeats the sign of a speed that was off from the start, while it lasts.
+  void tell(Stamp now, diagnosis::SymptomSink& to) const;
+
  private:
   void see(const Moment& moment);
   void see_dvls(const Moment& moment);
@@ -36,6 +43,9 @@ class Speeds {
   void see_shafts(const Moment& moment);
   void learn(const Moment& moment);
   void learn_currents(const Moment& moment);
+  void judge_offset(Stamp at);
+  bool is_log_off() const;
+  std::optional<double> dvl_over_receiver() const;
   void learn_surge(const Moment& moment);
   bool is_quiet(std::size_t witness) const;
   std::optional<double> speed_of_others() const;
@@ -48,9 +58,12 @@ class Speeds {
   const Tracks& tracks_;
   Group group_, ahead_;
   std::vector<std::size_t> dvls_, receivers_, logs_, shafts_, dvls_ahead_, logs_ahead_;
-  std::vector<Current> currents_;       ///< one a log
-  std::vector<std::uint64_t> learned_;  ///< the last sample of each log that did so
-  std::vector<Surge> surges_;           ///< one a shaft
+  std::vector<Current> currents_;      ///< one a log
+  std::vector<Current> off_currents_;  ///< the same of a log that may be far off from the start
+  std::optional<FirstOffset> off_;     ///< of the first DVL, receiver or log
+  std::optional<Stamp> first_;         ///< when a log was first compared
+  std::vector<std::uint64_t> compared_, learned_;  ///< the last sample of each log that did so
+  std::vector<Surge> surges_;                      ///< one a shaft
 };
 
 }  // namespace drydock::consistency

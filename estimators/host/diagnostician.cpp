@@ -1,6 +1,7 @@
 #include "estimators/host/diagnostician.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -17,6 +18,12 @@
 namespace drydock::host {
 namespace {
 
+/// White noise of a sensor file or of the rig, 1 sigma of a sample along its noisiest axis.
+double noise_of(const rig_config::SensorErrors& grade, double rate_hz) {
+  return std::hypot(std::ranges::max(grade.noise),
+                    std::ranges::max(grade.noise_density) * std::sqrt(rate_hz));
+}
+
 diagnosis::Expected expected_of(const rig_config::DeviceConfig& config, std::size_t device) {
   const wire::Protocol* const protocol = rig_config::protocol_of(config);
   const auto uri = link::parse_uri(config.link);
@@ -24,6 +31,9 @@ diagnosis::Expected expected_of(const rig_config::DeviceConfig& config, std::siz
           .kind = config.kind,
           .protocol = protocol != nullptr ? *protocol : wire::Protocol{},
           .nominal_rate_hz = config.rate_hz,
+          .noise = std::hypot(noise_of(config.emulate.primary, config.rate_hz),
+                              config.emulate.head.beam_noise_mps),
+          .second_noise = noise_of(config.emulate.secondary, config.rate_hz),
           .line_bytes_per_second =
               uri ? uri->line_rate().value_or(wire::LineRate{}).bytes_per_second() : 0,
           .stale_after = measurement::from_seconds(config.stale_after_s),

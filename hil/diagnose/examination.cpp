@@ -51,12 +51,12 @@ void Examination::follow(host::Followers& followers, std::vector<const device::D
 }
 
 Outcome Examination::result(const std::string& source, measurement::Stamp end, bool live,
-                            bool has_times) const {
+                            bool has_times, bool rates_stated) const {
   Outcome outcome;
   outcome.source = source;
   outcome.notes = stalls_.notes;
   outcome.circumstances = {measurement::seconds(end - start_ - findings_.stepped()), live,
-                           has_times};
+                           has_times, rates_stated};
   for (const auto device : head_depths_.changed)
     outcome.circumstances.heads_with_depth.push_back(rig_.devices.at(device).name);
   for (const auto* device : devices_)

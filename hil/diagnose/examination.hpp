@@ -22,9 +22,9 @@ class Examination {
   void look(measurement::Stamp now) { diagnostician_->look(now); }
   void await(measurement::Stamp until) { diagnostician_->await(until); }
 
-  /// Call it at the end, before the links are closed.
+  /// Call it at the end, before the links are closed. The last ones are those of Circumstances.
   Outcome result(const std::string& source, measurement::Stamp end, bool live,
-                 bool has_times = true) const;
+                 bool has_times = true, bool rates_stated = true) const;
 
  private:
   /// DVLs whose own depth changed: their mounting and tilts are checked against it.

@@ -22,11 +22,12 @@ constexpr double probing_s = 10;
 class Listening {
  public:
   Listening(const rig_config::Rig& rig, std::vector<std::unique_ptr<device::Device>> devices,
-            const std::string& source, double duration_s)
+            const std::string& source, double duration_s, bool rates_stated)
       : examination_(rig, link::now(), duration_s > 0 ? duration_s : usual_s),
         host_(io_, std::move(devices), followers_),
         source_(source),
-        duration_s_(duration_s) {
+        duration_s_(duration_s),
+        rates_stated_(rates_stated) {
     examination_.follow(followers_, host_.devices());
     for (const auto* device : host_.devices()) hints_.add(*device);
     followers_.add(hints_);
@@ -54,7 +55,7 @@ class Listening {
     stopped_ = true;
     const auto now = link::now();
     examination_.look(now);
-    outcome_ = examination_.result(source_, now, true);
+    outcome_ = examination_.result(source_, now, true, true, rates_stated_);
     for (const auto* device : host_.devices())
       if (auto hint = hints_.hint(*device); !hint.empty())
         outcome_.hints[device->name()] = std::move(hint);
@@ -70,6 +71,7 @@ class Listening {
   boost::asio::steady_timer timer_{io_};
   std::string source_;
   double duration_s_;
+  bool rates_stated_;
   Outcome outcome_;
   bool stopped_ = false;
 };
@@ -82,9 +84,9 @@ bool was_not_opened(const probe::ProbeReport& report) {
 }  // namespace
 
 Outcome listen_to(const rig_config::Rig& rig, std::vector<std::unique_ptr<device::Device>> devices,
-                  const std::string& source, double duration_s) {
+                  const std::string& source, double duration_s, bool rates_stated) {
   for (auto& device : devices) device->listen_only();
-  return Listening(rig, std::move(devices), source, duration_s).run();
+  return Listening(rig, std::move(devices), source, duration_s, rates_stated).run();
 }
 
 Outcome listen_to_link(const std::string& link, double duration_s) {
@@ -92,7 +94,7 @@ Outcome listen_to_link(const std::string& link, double duration_s) {
   auto devices = monitor::devices_of(report);
   if (!devices.empty()) {
     const auto rig = host::rig_of(devices, link);
-    return listen_to(rig, std::move(devices), link, duration_s);
+    return listen_to(rig, std::move(devices), link, duration_s, false);
   }
   if (was_not_opened(report)) throw std::runtime_error(report.notes.back());
   Outcome nothing;

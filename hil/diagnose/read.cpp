@@ -61,7 +61,7 @@ class CaptureBench final : public device::Listener, public device::Transmitter {
       clock_.run_until(*due);
       examination_.look(clock_.now());
     }
-    auto outcome = examination_.result(source, clock_.now(), false, has_times);
+    auto outcome = examination_.result(source, clock_.now(), false, has_times, false);
     for (std::size_t i = 0; i < actors_.size(); ++i)
       if (const auto rest = skipped_by(*actors_[i]) - skipped[i]; rest > 0)
         outcome.notes.push_back(rest_note(actors_[i]->device().name(), rest));

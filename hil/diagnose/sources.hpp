@@ -13,8 +13,9 @@ class Device;
 namespace drydock::diagnose {
 
 /// Listens to the devices of a rig for a time, or until Ctrl-C. Nothing is written to a wire.
+/// `rates_stated`: by a person; else they are what was heard.
 Outcome listen_to(const rig_config::Rig& rig, std::vector<std::unique_ptr<device::Device>> devices,
-                  const std::string& source, double duration_s);
+                  const std::string& source, double duration_s, bool rates_stated = true);
 
 /// Probes a link for sensors, then listens to them. No devices: a note says what was heard. Throws
 /// std::runtime_error with one line if the link cannot be opened.

@@ -119,8 +119,24 @@ std::string why_not_learned(Cause cause, double duration_s) {
 /// A difference from other sensors that is there in this time is taken off as their usual one.
 constexpr double offset_learned_s = 25;
 
+bool has(const rig_config::Rig& rig, Kind kind) {
+  return std::ranges::find(rig.devices, kind, &DeviceConfig::kind) != rig.devices.end();
+}
+
+/// Three speeds tell which one is off, a fix tells that its antenna is dry.
+bool is_bias_seen_at_once(const DeviceConfig& device, const rig_config::Rig& rig) {
+  if (device.kind == Kind::depth) return has(rig, Kind::gnss);
+  constexpr std::array speeds{Kind::dvl, Kind::emlog, Kind::gnss};
+  return std::ranges::find(speeds, device.kind) != speeds.end() &&
+         std::ranges::all_of(speeds, [&](Kind kind) { return has(rig, kind); });
+}
+
 /// How long a fault that is there from the start is taken for usual, seconds; 0: it is not.
-double taken_for_usual_s(Cause cause) {
+double taken_for_usual_s(Cause cause, const DeviceConfig& device, const rig_config::Rig& rig,
+                         const Circumstances& with) {
+  const bool of_rate = cause == Cause::drop || cause == Cause::jitter;
+  if (of_rate && with.rates_stated) return 0;
+  if (cause == Cause::bias && is_bias_seen_at_once(device, rig)) return 0;
   return cause == Cause::bias ? offset_learned_s : learning_s(cause);
 }
 
@@ -167,7 +183,7 @@ std::vector<Unseen> joined(const std::vector<Unseen>& all) {
   return shared;
 }
 
-/// `reason(cause, why)`: of a cause that each device can have; `why` it was not seen, or empty.
+/// `reason(cause, device, why)`: of a cause that it can have; `why` it was not seen, or empty.
 template <class Reason>
 std::vector<Unseen> all_of(const rig_config::Rig& rig, const Circumstances& with,
                            const Reason& reason) {
@@ -178,7 +194,7 @@ std::vector<Unseen> all_of(const rig_config::Rig& rig, const Circumstances& with
     for (const auto& facts : diagnosis::causes()) {
       if (!applies(facts.cause, device, protocol)) continue;
       const std::string why =
-          reason(facts.cause, why_not(facts.cause, device, protocol, rig, with));
+          reason(facts.cause, device, why_not(facts.cause, device, protocol, rig, with));
       if (!why.empty()) note(all, device.name, facts.cause, why);
     }
   }
@@ -221,15 +237,17 @@ bool is_concluded(Cause cause) {
 }
 
 std::vector<Unseen> unseen_in(const rig_config::Rig& rig, const Circumstances& with) {
-  return joined(all_of(rig, with, [](Cause, const std::string& why) { return why; }));
+  return joined(
+      all_of(rig, with, [](Cause, const DeviceConfig&, const std::string& why) { return why; }));
 }
 
 std::vector<Unseen> hidden_from_start(const rig_config::Rig& rig, const Circumstances& with) {
-  return joined(all_of(rig, with, [](Cause cause, const std::string& why) {
-    const double usual_s = taken_for_usual_s(cause);
+  const auto reason = [&](Cause cause, const DeviceConfig& device, const std::string& why) {
+    const double usual_s = taken_for_usual_s(cause, device, rig, with);
     if (!why.empty() || usual_s <= 0) return std::string();
     return fmt::format("what is wrong in the first {:.0f} s looks usual", usual_s);
-  }));
+  };
+  return joined(all_of(rig, with, reason));
 }
 
 }  // namespace drydock::diagnose

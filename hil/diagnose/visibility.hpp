@@ -13,6 +13,7 @@ struct Circumstances {
   double duration_s = 0;
   bool live = false;                               ///< ports were open; else a file was read
   bool has_times = true;                           ///< messages have a time of arrival
+  bool rates_stated = true;                        ///< a person wrote the rates of the devices
   std::vector<std::string> heads_with_depth = {};  ///< DVLs that told a depth which changed
 };
 

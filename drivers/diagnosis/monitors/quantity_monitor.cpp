@@ -56,17 +56,28 @@ void QuantityMonitor::learn(double bend, Stamp at, double period_s) {
   const double half_step = std::isfinite(smallest_bend_) ? smallest_bend_ / 2 : 0;
   scatter_ = std::max((bends_.quantile(0.5) + half_step) / median_of_normal,
                       (bends_.quantile(0.95) + half_step) / q95_of_normal);
+  // White noise turns at two of three samples, a smooth motion hardly ever.
+  constexpr double turning = 0.35;
+  constexpr unsigned fewest_moves = 15;
+  noise_shows_ = moves_ >= fewest_moves && turns_ > turning * moves_;
+  hold_to_grade(half_step);
   sigma_ =
       std::max(scatter_, facts_of(quantity_).bend * usual_period_s_ * usual_period_s_ / beyond);
   trembling_ = facts_of(quantity_).tremble == 0
                    ? std::numeric_limits<double>::infinity()
                    : std::max(scatter_, facts_of(quantity_).tremble * usual_period_s_ *
                                             usual_period_s_ / beyond);
-  // White noise turns at two of three samples, a smooth motion hardly ever.
-  constexpr double turning = 0.35;
-  constexpr unsigned fewest_moves = 15;
-  noise_shows_ = moves_ >= fewest_moves && turns_ > turning * moves_;
   known_ = true;
+}
+
+/// Noise that is far above the grade from the start on is not usual.
+void QuantityMonitor::hold_to_grade(double half_step) {
+  if (grade_ <= 0 || !noise_shows_) return;
+  const double graded = noise_of_bend * std::hypot(grade_, 2 * half_step);
+  const double moved = facts_of(quantity_).bend * usual_period_s_ * usual_period_s_ / beyond;
+  if (bends_.quantile(0.5) / median_of_normal < beyond * std::max(graded, moved)) return;
+  scatter_ = graded;
+  noise_.add(true, *first_);
 }
 
 QuantityMonitor::News QuantityMonitor::judge(double period_s, Stamp at) {

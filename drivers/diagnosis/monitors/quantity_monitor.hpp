@@ -28,7 +28,9 @@ class QuantityMonitor {
     bool noisy = false;
   };
 
-  explicit QuantityMonitor(Quantity quantity = Quantity::force_x) : quantity_(quantity) {}
+  /// `grade`: 1 sigma of the sensor's white noise, as its data sheet says; 0: not known.
+  explicit QuantityMonitor(Quantity quantity = Quantity::force_x, double grade = 0)
+      : quantity_(quantity), grade_(grade) {}
 
   News add(double value, Stamp at);
   /// The next sample has none before it.
@@ -45,10 +47,12 @@ class QuantityMonitor {
  private:
   double minus(double a, double b) const;
   void learn(double bend, Stamp at, double period_s);
+  void hold_to_grade(double half_step);
   News judge(double period_s, Stamp at);
   void judge_noise(double bend, Stamp at);
 
   Quantity quantity_;
+  double grade_ = 0;
   bool known_ = false, noise_shows_ = false;
   double sigma_ = 0;    ///< at least that of a usual motion
   double scatter_ = 0;  ///< as it was in the first time

@@ -8,6 +8,10 @@ constexpr double most_crowded_share = 0.65;
 /// A host is late by so much now and then, and a slow line holds a message behind another one.
 constexpr double least_tolerance_s = 0.002, least_tolerance_share = 0.05;
 constexpr double most_tolerance_share = 0.3;
+/// Lost messages leave the others on their places: those scatter by less than any odd stream.
+constexpr double most_folded_share = 0.15;
+/// A stream that loses more has another rate.
+constexpr double most_missing_share = 0.7;
 
 }  // namespace
 
@@ -49,23 +53,48 @@ bool Raster::is_crowded(double interval_s, double since_any_s) const {
 void Raster::learn(Stamp at, double behind_s) {
   if (state_ == State::has_none) return;
   if (!first_) first_ = at;
-  if (last_) intervals_.add(measurement::seconds(at - *last_));
+  if (last_) {
+    const double interval_s = measurement::seconds(at - *last_);
+    intervals_.add(interval_s);
+    if (first_missing_ == Stamp{} && interval_s > 1.5 * nominal_s_) first_missing_ = *last_;
+  }
   behind_.add(behind_s);
   last_ = at;
   if (at - *first_ >= learning && intervals_.count() >= fewest) settle();
 }
 
 void Raster::settle() {
+  const bool has_raster = has_little_scatter(most_tolerance_share) || fold();
+  state_ = has_raster ? State::known : State::has_none;
+  waits_s_ = behind_.quantile(0.5);
+  if (waits_s_ > crowded_share * period_s_) waits_s_ = 0;
+}
+
+/// Takes the median for the period, and the scatter about it for the tolerance.
+bool Raster::has_little_scatter(double most_share) {
   period_s_ = intervals_.quantile(0.5);
   const double early_s = period_s_ - intervals_.quantile(0.05);
   const double late_s = intervals_.quantile(0.95) - period_s_;
   const double scatter_s = std::max(early_s, late_s);
-  const bool has_raster = period_s_ > 0 && scatter_s < most_tolerance_share * period_s_;
-  state_ = has_raster ? State::known : State::has_none;
-  waits_s_ = behind_.quantile(0.5);
-  if (waits_s_ > crowded_share * period_s_) waits_s_ = 0;
   const double least_s = std::max(least_tolerance_s, least_tolerance_share * period_s_);
   tolerance_s_ = std::min(std::max(3 * scatter_s, least_s), most_tolerance_share * period_s_);
+  return period_s_ > 0 && scatter_s < most_share * period_s_;
+}
+
+/// Lost messages make intervals of whole periods. Taken for single ones they show the raster.
+bool Raster::fold() {
+  if (nominal_s_ <= 0) return false;
+  Spread<256> single;
+  double came = 0, due = 0;
+  for (const float interval_s : intervals_.kept()) {
+    const double periods = std::max(1.0, std::round(interval_s / nominal_s_));
+    single.add(interval_s - (periods - 1) * nominal_s_);
+    came += 1;
+    due += periods;
+  }
+  intervals_ = single;
+  missing_share_ = 1 - came / due;
+  return missing_share_ < most_missing_share && has_little_scatter(most_folded_share);
 }
 
 void Raster::allow(double line_s) {

@@ -21,7 +21,8 @@ enum class Step : std::uint8_t {
 };
 
 /// The raster in which the messages of one kind arrive. The period and the scatter are those of the
-/// device's own first time. A stream whose messages come at no raster is never judged.
+/// device's own first time. Where a rig states the rate, a stream that loses messages from the
+/// start has that raster. A stream whose messages come at no raster is never judged.
 class Raster {
  public:
   static constexpr std::chrono::seconds learning{30};
@@ -33,6 +34,10 @@ class Raster {
     long slots = 0;         ///< the interval in periods
   };
 
+  /// `nominal_rate_hz`: as the rig states it; 0: it states none.
+  explicit Raster(double nominal_rate_hz = 0)
+      : nominal_s_(nominal_rate_hz > 0 ? 1 / nominal_rate_hz : 0) {}
+
   /// `behind_s`: how long after the message before it, of any kind, the device sent this one. A
   /// message that waits for another on the line comes sooner without it.
   Arrival add(Stamp at, double behind_s = 0);
@@ -42,6 +47,9 @@ class Raster {
   bool known() const { return state_ == State::known; }
   double period_s() const { return period_s_; }
   double tolerance_s() const { return tolerance_s_; }  ///< of an interval that is regular
+  /// The share of messages that did not come in the first time; 0: they all came.
+  double missing_share() const { return missing_share_; }
+  Stamp first_missing() const { return first_missing_; }
   /// How long a message usually waits behind another one of the device. 0: it does not.
   double waits_s() const { return waits_s_; }
   /// What the line may add to an interval: messages wait for others, or the others do not come.
@@ -51,6 +59,8 @@ class Raster {
   enum class State : std::uint8_t { learns, known, has_none };
   void learn(Stamp at, double behind_s);
   void settle();
+  bool fold();
+  bool has_little_scatter(double most_share);
   bool is_crowded(double interval_s, double since_any_s) const;
 
   State state_ = State::learns;
@@ -59,6 +69,8 @@ class Raster {
   Stamp any_{};    ///< the latest message, crowded or not
   long owed_ = 0;  ///< messages that did not come in the last pause and may still do
   double period_s_ = 0, tolerance_s_ = 0, waits_s_ = 0, allowed_s_ = 0;
+  double nominal_s_, missing_share_ = 0;
+  Stamp first_missing_{};
 };
 
 }  // namespace drydock::diagnosis

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/container/static_vector.hpp>
 #include <cstddef>
+#include <span>
 
 namespace drydock::diagnosis {
 
@@ -18,6 +19,7 @@ class Spread {
   }
 
   std::size_t count() const { return count_; }
+  std::span<const float> kept() const { return {kept_.data(), kept_.size()}; }
 
   /// The number that a share of all lies below. It reorders what is kept. 0 if there is none.
   double quantile(double share) {

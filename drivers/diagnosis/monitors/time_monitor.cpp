@@ -43,8 +43,11 @@ TimeMonitor::Stream* TimeMonitor::stream_of(std::uint32_t kind) {
   const auto known = std::ranges::find(streams_, kind, &Stream::kind);
   if (known != streams_.end()) return &*known;
   if (streams_.size() == streams_.capacity()) return nullptr;
-  streams_.emplace_back().kind = kind;
-  return &streams_.back();
+  Stream& stream = streams_.emplace_back();
+  stream.kind = kind;
+  stream.raster = Raster(expected_.nominal_rate_hz);
+  stream.jitter = JitterWatch(expected_.nominal_rate_hz);
+  return &stream;
 }
 
 void TimeMonitor::take(std::uint32_t kind, const measurement::Origin& origin, bool same,
@@ -52,10 +55,18 @@ void TimeMonitor::take(std::uint32_t kind, const measurement::Origin& origin, bo
   Stream* const stream = stream_of(kind);
   if (stream == nullptr) return;
   const Stamp at = origin.received_at;
+  const bool was_known = stream->raster.known();
   const auto arrival = stream->raster.add(at, measurement::seconds(at - last_));
+  if (stream->raster.known() && !was_known) note_first_time(stream->raster);
   last_ = at;
   if (!expected_.times_on_bus) judge(*stream, arrival, origin, same, bus_busy);
   watch_clock(*stream, origin, arrival.step);
+}
+
+/// Messages were lost from the start on.
+void TimeMonitor::note_first_time(const Raster& raster) {
+  if (raster.missing_share() < raised) return;
+  while (!gaps_.fired()) gaps_.add(true, raster.first_missing());
 }
 
 void TimeMonitor::note_length(std::uint32_t kind, std::uint32_t length, Stamp at) {
@@ -73,6 +84,7 @@ void TimeMonitor::note_length(std::uint32_t kind, std::uint32_t length, Stamp at
 void TimeMonitor::judge(Stream& stream, Raster::Arrival arrival, const measurement::Origin& origin,
                         bool same, bool bus_busy) {
   const Stamp at = origin.received_at;
+  stream.jitter.add(at);
   if (const double waits_s = 1.3 * stream.raster.waits_s(); waits_s > line_s_) line_s_ = waits_s;
   if (stream.raster.known() && stream.allowed_s != line_s_) {
     stream.allowed_s = line_s_;
@@ -293,6 +305,12 @@ void TimeMonitor::look(Stamp now) {
     if (lasting.on) teller_.tell(sign, lasting.since, now, lasting.amount);
   };
   tell(Sign::late, late_);
+  for (const Stream& stream : streams_) {
+    if (stream.raster.known()) continue;  // it sees what happens, message by message
+    if (const auto scatter_s = stream.jitter.scatter_s())
+      teller_.tell(Sign::irregular, stream.jitter.since(), now,
+                   {*scatter_s, stream.jitter.limit_s(), "scatter of its intervals", "s"});
+  }
   const auto change = drift(now);
   if (change && expected_.protocol.travels == wire::Travels::as_bytes)
     teller_.tell(Sign::clock_drift, drifting_.since, now, *change);
@@ -314,6 +332,7 @@ void TimeMonitor::excuse_pause() {
 }
 
 void TimeMonitor::interrupt(Stream& stream) {
+  stream.jitter.interrupt();
   stream.pattern.clear();
   stream.rate.interrupt();
   stream.pause = stream.extra = false;

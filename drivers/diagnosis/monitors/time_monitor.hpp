@@ -6,6 +6,7 @@
 #include "drivers/diagnosis/monitors/clock_watch.hpp"
 #include "drivers/diagnosis/monitors/event_test.hpp"
 #include "drivers/diagnosis/monitors/expected.hpp"
+#include "drivers/diagnosis/monitors/jitter_watch.hpp"
 #include "drivers/diagnosis/monitors/rate_watch.hpp"
 #include "drivers/diagnosis/monitors/teller.hpp"
 #include "drivers/measurement/measurement.hpp"
@@ -44,6 +45,7 @@ class TimeMonitor {
     std::uint32_t length = 0;    ///< of the latest message
     std::uint32_t followed = 0;  ///< one bit for each stream whose message came right before
     Raster raster;
+    JitterWatch jitter;  ///< from the start on
     ArrivalPattern pattern;
     ClockWatch clock;
     RateWatch rate;      ///< by the raster
@@ -70,6 +72,7 @@ class TimeMonitor {
 
   Stream* stream_of(std::uint32_t kind);
   void step(Stream& stream, const Raster::Arrival& arrival, Stamp at, bool same);
+  void note_first_time(const Raster& raster);
   void regular(Stream& stream, Stamp at);
   void pause(Stream& stream, const Raster::Arrival& arrival, Stamp at);
   void crowded(Stream& stream, Stamp at, bool same);

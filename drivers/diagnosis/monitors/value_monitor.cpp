@@ -22,6 +22,23 @@ constexpr std::chrono::seconds wild_memory{20};
 /// The largest of equal errors is at most so many times the smallest.
 constexpr double alike = 1.5;
 
+/// An inertial unit has no grade here: the vibration of its vehicle is stronger than its noise.
+double grade_of(const Expected& expected, Quantity quantity) {
+  switch (quantity) {
+    case Quantity::bottom_x:
+    case Quantity::bottom_y:
+    case Quantity::bottom_z:
+    case Quantity::log_x:
+    case Quantity::log_y:
+    case Quantity::pressure:
+    case Quantity::north:
+    case Quantity::east: return expected.noise;
+    case Quantity::velocity_north:
+    case Quantity::velocity_east: return expected.second_noise;
+    default: return 0;
+  }
+}
+
 }  // namespace
 
 ValueMonitor::ValueMonitor(const Expected& expected, SymptomSink& to)
@@ -39,7 +56,7 @@ QuantityMonitor* ValueMonitor::monitor_of(Quantity quantity) {
   for (QuantityMonitor& monitor : monitors_)
     if (monitor.quantity() == quantity) return &monitor;
   if (monitors_.size() == monitors_.capacity()) return nullptr;
-  return &monitors_.emplace_back(quantity);
+  return &monitors_.emplace_back(quantity, grade_of(expected_, quantity));
 }
 
 bool ValueMonitor::take(std::uint32_t kind, const measurement::Measurement& measurement) {

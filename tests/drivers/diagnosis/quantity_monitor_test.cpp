@@ -51,6 +51,36 @@ TEST_F(BottomVelocityThatIsWatched, IsNoisyWithinTwentyFourSamplesOfTenfoldNoise
   EXPECT_GE(samples, 6);  // 22 / ln(25) = 6.8 events at least
 }
 
+/// Noise of a DVL whose grade is 0.01 m/s, in steps of 1 mm/s, from the first sample on.
+bool is_noisy_from_the_start(double deviation, double grade) {
+  QuantityMonitor monitor(Quantity::bottom_x, grade);
+  std::mt19937_64 random{11};
+  std::normal_distribution<double> normal;
+  for (double now = 0; now < 60; now += 0.2) {
+    const double read = std::sin(now / 5) + deviation * normal(random);
+    if (!monitor.add(1e-3 * std::round(1e3 * read), at_s(now)).noisy) continue;
+    EXPECT_LT(monitor.noise().since(), at_s(1));
+    return true;
+  }
+  return false;
+}
+
+TEST(QuantityMonitor, IsNoisyFromTheStartBesideItsGradeOnly) {
+  EXPECT_TRUE(is_noisy_from_the_start(0.1, 0.01));
+  EXPECT_FALSE(is_noisy_from_the_start(0.02, 0.01)) << "data sheets are of the best case";
+  EXPECT_FALSE(is_noisy_from_the_start(0.1, 0)) << "nobody said a grade";
+}
+
+TEST(QuantityMonitor, TakesTheStepsOfASensorForNoNoise) {
+  QuantityMonitor monitor(Quantity::bottom_x, 0.002);
+  std::mt19937_64 random{11};
+  std::normal_distribution<double> normal;
+  for (double now = 0; now < 60; now += 0.2) {
+    const double read = std::sin(now / 5) + 0.002 * normal(random);
+    EXPECT_FALSE(monitor.add(0.05 * std::round(read / 0.05), at_s(now)).noisy) << now;
+  }
+}
+
 TEST_F(BottomVelocityThatIsWatched, HasAWildSampleThatTheNextOneShows) {
   EXPECT_EQ(add(0, 5).wild, 0);
   EXPECT_NEAR(add(0).wild, 5, 0.2);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "drivers/diagnosis/monitors/arrival_pattern.hpp"
@@ -54,6 +55,45 @@ TEST(Raster, OfEventsAtRandomTimesIsNone) {
   std::exponential_distribution<double> wait(5);
   for (double now = 0; now < 100; now += wait(random)) raster.add(at_s(now));
   EXPECT_FALSE(raster.known());
+}
+
+/// Messages at 5 Hz of which a share is lost, beside a rig that states some rate.
+Raster with_lost(double share, double stated_hz) {
+  Raster raster(stated_hz);
+  std::mt19937_64 random(5);
+  std::bernoulli_distribution lost(share);
+  for (int i = 0; i < 200; ++i)
+    if (!lost(random)) raster.add(at_s(0.2 * i));
+  return raster;
+}
+
+/// Of messages that are each lost with the probability p, the share p is missing.
+TEST(Raster, OfMessagesThatAreLostFromTheStartIsThatOfTheStatedRate) {
+  for (const double share : {0.1, 0.3, 0.6}) {
+    const Raster raster = with_lost(share, 5);
+    ASSERT_TRUE(raster.known()) << share;
+    EXPECT_NEAR(raster.period_s(), 0.2, 1e-6);
+    EXPECT_NEAR(raster.missing_share(), share, 3 * std::sqrt(share * (1 - share) / 150));
+    EXPECT_LT(raster.first_missing(), at_s(10));
+  }
+}
+
+TEST(Raster, OfHalfTheStatedRateIsItsOwnAndNothingIsMissing) {
+  Raster raster(10);
+  for (int i = 0; i < 200; ++i) raster.add(at_s(0.2 * i));
+  ASSERT_TRUE(raster.known());
+  EXPECT_NEAR(raster.period_s(), 0.2, 1e-6);
+  EXPECT_EQ(raster.missing_share(), 0);
+}
+
+TEST(Raster, OfAnUnevenStreamIsNoneWhateverRateIsStated) {
+  for (const double stated_hz : {1.0, 5.0, 20.0}) {
+    Raster raster(stated_hz);
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> wait(0.1, 0.9);
+    for (double now = 0; now < 100; now += wait(random)) raster.add(at_s(now));
+    EXPECT_FALSE(raster.known()) << stated_hz;
+  }
 }
 
 ArrivalPattern pattern_of(const std::vector<Raster::Arrival>& arrivals) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+#include <optional>
 #include <random>
 
 #include "tests/drivers/diagnosis/signs.hpp"
@@ -100,6 +103,58 @@ TEST_F(TenHertz, HasNoSignWhenItsHostStoodStill) {
   now += 0.7;
   for (int i = 0; i < 100; ++i) regular();
   EXPECT_TRUE(signs.all.empty());
+}
+
+/// A DVL at 5 Hz, as its rig states, for two minutes from its first message on.
+Signs from_the_start(const std::function<std::optional<double>(int)>& arrives_s) {
+  Signs signs;
+  TimeMonitor monitor({.kind = measurement::Kind::dvl, .nominal_rate_hz = 5}, signs);
+  for (int i = 0; i < 600; ++i) {
+    const auto at = arrives_s(i);
+    if (!at) continue;
+    measurement::Origin origin;
+    origin.received_at = at_s(*at);
+    monitor.take(1, origin, false);
+    monitor.look(at_s(*at));
+  }
+  return signs;
+}
+
+TEST(FromTheStart, LostMessagesAreGapsSinceTheFirstOfThem) {
+  std::mt19937_64 random(4);
+  std::bernoulli_distribution lost(0.3);
+  const Signs signs =
+      from_the_start([&](int i) { return lost(random) ? std::nullopt : std::optional(0.2 * i); });
+  ASSERT_TRUE(signs.has(Sign::gaps));
+  EXPECT_LT(signs.first(Sign::gaps).since, at_s(5));
+  EXPECT_FALSE(signs.has(Sign::irregular));
+}
+
+/// The interval between two messages that are late by up to a varies by a / sqrt(6).
+TEST(FromTheStart, RandomDelaysAreIrregular) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> late(0, 0.1);
+  const Signs signs = from_the_start([&](int i) { return std::optional(0.2 * i + late(random)); });
+  ASSERT_TRUE(signs.has(Sign::irregular));
+  EXPECT_LT(signs.first(Sign::irregular).since, at_s(0.2));
+  EXPECT_NEAR(signs.first(Sign::irregular).value, 0.1 / std::sqrt(6.0), 0.004);
+}
+
+/// A head that pings when its last echo is back: each interval by itself, with the stated mean.
+TEST(FromTheStart, AHeadThatPingsUnevenlyIsSound) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> wait(0.1, 0.3);
+  double now = 0;
+  const Signs signs = from_the_start([&](int) { return std::optional(now += wait(random)); });
+  EXPECT_TRUE(signs.all.empty());
+}
+
+TEST(FromTheStart, ABusyHostIsSound) {
+  std::mt19937_64 random(4);
+  std::exponential_distribution<double> late(1 / 0.004);
+  const Signs signs = from_the_start([&](int i) { return std::optional(0.2 * i + late(random)); });
+  EXPECT_FALSE(signs.has(Sign::irregular));
+  EXPECT_FALSE(signs.has(Sign::gaps));
 }
 
 /// A device that tells its own time, at 5 Hz.

@@ -19,4 +19,12 @@ Voyage::Fault on(const std::function<void(Sample&, double since_s)>& change) {
   };
 }
 
+/// The same from the first sample on.
+template <class Sample>
+Voyage::Fault from_the_start(const std::function<void(Sample&)>& change) {
+  return [change](measurement::Measurement& measurement, double) {
+    if (auto* sample = std::get_if<Sample>(&measurement)) change(*sample);
+  };
+}
+
 }  // namespace drydock::consistency::test

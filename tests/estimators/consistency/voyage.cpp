@@ -90,7 +90,7 @@ void Voyage::tick(const Fault& fault) {
   }
   if (!every(10)) return;
   DepthSample below;
-  below.depth_m = 10 + noise(0.02);
+  below.depth_m = 0.5 + noise(0.02);
   give(below, depth, fault);
   ActuatorState state;
   state.rudder_rad = motion.rudder();

@@ -28,8 +28,8 @@ class Signs final : public diagnosis::SymptomSink {
 };
 
 /// A level vehicle at 2 m/s whose heading swings by 40 degrees in 40 s and its speed by 0.1 m/s in
-/// 20 s, in a current of 0.3 m/s to the east, 10 m deep. The motion is a closed form; every sensor
-/// reads it with white noise.
+/// 20 s, in a current of 0.3 m/s to the east, 0.5 m deep: its antenna is dry. The motion is a
+/// closed form; every sensor reads it with white noise.
 class Voyage {
  public:
   /// Changes a measurement of time t, s. It may change what it likes.

@@ -126,11 +126,28 @@ std::string hidden(const rig_config::Rig& rig, const std::string& device, Cause 
 TEST(Visibility, WhatAFaultFromTheStartHidesIsNamedHoweverLongTheRunIs) {
   using measurement::Kind;
   const auto rig = rig_of({{Kind::dvl, "pd0"}, {Kind::emlog, "nmea0183"}});
-  EXPECT_EQ(hidden(rig, "dvl", Cause::drop), "what is wrong in the first 30 s looks usual");
+  EXPECT_EQ(hidden(rig, "dvl", Cause::slow), "what is wrong in the first 30 s looks usual");
   EXPECT_EQ(hidden(rig, "dvl", Cause::noise), "what is wrong in the first 45 s looks usual");
   EXPECT_EQ(hidden(rig, "dvl", Cause::bias), "what is wrong in the first 25 s looks usual");
   EXPECT_THAT(hidden(rig, "dvl", Cause::damaged), IsEmpty()) << "a checksum needs no learning";
   EXPECT_THAT(hidden(rig, "emlog", Cause::clock_step), IsEmpty()) << "it is unseen at any time";
+}
+
+TEST(Visibility, WhatTheRigKnowsHidesNoFaultThatIsThereFromTheStart) {
+  using measurement::Kind;
+  const auto rig = rig_of({{Kind::dvl, "pd0"},
+                           {Kind::emlog, "nmea0183"},
+                           {Kind::gnss, "ubx"},
+                           {Kind::depth, "keller"}});
+  for (const Cause cause : {Cause::drop, Cause::jitter, Cause::bias}) {
+    EXPECT_THAT(hidden(rig, "dvl", cause), IsEmpty()) << "its rate, and two other speeds";
+    EXPECT_THAT(hidden(rig, "depth", cause), IsEmpty()) << "its rate, and a fix";
+  }
+  const auto of_capture =
+      hidden_from_start(rig, {.duration_s = 100, .has_times = true, .rates_stated = false});
+  EXPECT_TRUE(std::ranges::any_of(of_capture, [](const Unseen& one) {
+    return std::ranges::find(one.causes, Cause::drop) != one.causes.end();
+  })) << "nobody stated a rate";
 }
 
 /// docs/pier/findings.md: monitors learn for 30 s (times) and 45 s (values). 46 s leave a second.
