@@ -29,7 +29,7 @@ Loaded<MissionConfig> build_with_vehicle(const Node& root, const std::string& pa
       mission.vehicle = build_vehicle(*vehicle);
     }
     mission.files.push_back(beside(path, reference->text));
-  } else if (steered_over_wires(mission)) {
+  } else if (mission.steering) {
     mission.vehicle = kinematic_vehicle();
   }
   if (auto problems = check_steering(root, path, mission); !problems.empty()) return problems;

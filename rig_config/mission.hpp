@@ -77,6 +77,12 @@ struct TrackConfig {
 struct SteeringConfig {
   std::string from;                       ///< "ardupilot": its JSON physics interface
   std::string listen = "127.0.0.1:9002";  ///< address and UDP port
+  // "program": docs/world/steering-program.md
+  std::vector<std::string> command;  ///< the program and its arguments
+  std::string folder;                ///< in which it runs
+  double step_s = 0.05;
+  double answer_within_s = 2;
+  bool truth = false;  ///< it is told the truth
 };
 
 struct MissionConfig {
@@ -91,7 +97,9 @@ struct MissionConfig {
   std::vector<FaultConfig> faults;
   std::optional<BallisticConfig> ballistic;  ///< instead of legs
   std::optional<TrackConfig> track;          ///< instead of legs
-  std::optional<VehicleConfig> vehicle;      ///< follows the legs with autopilots; empty: kinematic
+  /// Follows the legs with autopilots; empty: kinematic. A kinematic one has this too if it is
+  /// steered: its actuators.
+  std::optional<VehicleConfig> vehicle;
   std::optional<ThrusterVehicleConfig> thruster_vehicle;  ///< needs steering
   std::optional<SteeringConfig> steering;                 ///< instead of legs
   PlacesPtr places;                                       ///< of the mission file

@@ -21,6 +21,7 @@ struct DeviceView : device::HealthAccount {
   std::optional<diagnosis::FindingAccount> finding;  ///< what is wrong now; times are UTC
   std::vector<ShownValue> values;
   std::string hint;         ///< why it is silent, by what its wire says; empty: not known
+  std::string told;         ///< what hosts have told an emulated device; empty: nothing
   std::string shared_with;  ///< programs that read its port too; empty: none
 };
 

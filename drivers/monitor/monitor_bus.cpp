@@ -6,8 +6,10 @@
 #include "drivers/bus/subscriber.hpp"
 #include "drivers/host/finding_status.hpp"
 #include "drivers/host/rig_bus.hpp"
+#include "drivers/host/told_status.hpp"
 #include "drivers/link/link.hpp"
 #include "drivers/monitor/monitor_loop.hpp"
+#include "drivers/text/printable.hpp"
 
 namespace drydock::monitor {
 namespace {
@@ -64,12 +66,18 @@ class BusViews final : public bus::Receiver {
   void receive(const bus::DeviceStatus& status) override {
     health_.push_back(status);
     if (const auto finding = host::finding_of(status)) return receive(*finding, status.level);
+    if (const auto told = host::told_of(status)) return receive(*told);
     const auto view = std::ranges::find(views_, status.name, &DeviceView::name);
     if (view == views_.end()) return;
     view->state = status.message;
     view->streaming = status.level == bus::Level::ok;
     view->status.clear();
     for (const auto& [key, value] : status.values) set(*view, key, value);
+  }
+
+  void receive(const host::Told& told) {
+    const auto view = std::ranges::find(views_, told.device, &DeviceView::name);
+    if (view != views_.end()) view->told = text::printable(told.what);
   }
 
   /// A finding that is over does not hide a newer one of the same device.

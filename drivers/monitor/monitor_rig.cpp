@@ -11,6 +11,7 @@
 #include "drivers/monitor/hints/shared_ports.hpp"
 #include "drivers/monitor/hints/wire_hints.hpp"
 #include "drivers/monitor/monitor_loop.hpp"
+#include "drivers/monitor/told_by_bus.hpp"
 #include "drivers/probe/probe_bus.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/wire/can/can_bits.hpp"
@@ -90,6 +91,7 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices,
   RigWires wires;
   WireHints hints;
   SharedPorts ports;
+  ToldByBus told(rig);
   for (const auto& device : devices) {
     wires.add(*device);
     hints.add(*device);
@@ -105,6 +107,7 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices,
       show_values(latest, shell.device(i).index(), options.units, view);
       meter.show(link::steady_now(), view);
       view.hint = hints.hint(shell.device(i));
+      view.told = told.of(view.name);
       view.shared_with = ports.others(shell.device(i).options().link);
       if (const auto* finding = findings.open(shell.device(i).index()))
         view.finding = diagnosis::account_of(*finding, view.name, Stamp{});
@@ -128,7 +131,7 @@ int monitor_devices(std::vector<std::unique_ptr<device::Device>> devices,
   std::shared_ptr<host::Follower> beside;
   if (options.beside) followers.add(*(beside = options.beside(rig, host.devices(), followers)));
   host.start();
-  return loop.run([] {},
+  return loop.run([&] { told.poll(); },
                   [&] {
                     host.stop();
                     if (viewer) viewer->stop();

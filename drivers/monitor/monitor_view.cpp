@@ -35,6 +35,7 @@ void visit_fields(const DeviceView& v, F&& field) {
   field("bits_per_second", v.bits_per_second);
   field("bus_load", v.bus_load);
   field("finding", v.finding);
+  field("told", v.told);
   field("values", v.values);
   field("problems", problems_of(v));
 }
@@ -140,6 +141,7 @@ std::vector<std::string> table_lines(const std::vector<DeviceView>& views) {
     if (auto line = bus_text(v); !line.empty()) all.push_back(std::move(line));
     if (v.refused > 0) all.push_back(fmt::format("  {} values refused", v.refused));
     if (!v.link_note.empty()) all.push_back("  link: " + v.link_note);
+    if (!v.told.empty()) all.push_back("  was told: " + v.told);
     if (auto line = times(v); !line.empty()) all.push_back(std::move(line));
     add_rows_of_values(v, all);
     if (!v.hint.empty()) all.push_back("  " + v.hint);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "estimators/external/answer_line.hpp"
 #include "estimators/external/gives.hpp"
 #include "estimators/pipeline/peer.hpp"
 
@@ -12,7 +13,7 @@ namespace drydock::external {
 
 /// What a line of the other program says.
 struct Answer {
-  enum class Flaw : std::uint8_t { none, malformed, not_finite };
+  using Flaw = external::Flaw;
   std::uint64_t step = 0;                            ///< 0: the line does not say it
   std::vector<pipeline::OutsideEstimate> estimates;  ///< the good ones, before the flaw
   Flaw flaw = Flaw::none;

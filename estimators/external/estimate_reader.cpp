@@ -16,7 +16,6 @@ namespace drydock::external {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using Flaw = Answer::Flaw;
 
 namespace {
 

@@ -25,9 +25,13 @@ OrderedJson device_json(const Hello::Device& device) {
 
 }  // namespace
 
+OrderedJson json_of(const std::vector<Hello::Device>& devices) {
+  OrderedJson json = OrderedJson::array();
+  for (const auto& device : devices) json.push_back(device_json(device));
+  return json;
+}
+
 std::string line_of(const Hello& hello) {
-  OrderedJson devices = OrderedJson::array();
-  for (const auto& device : hello.devices) devices.push_back(device_json(device));
   const OrderedJson json{
       {"drydock", protocol_version},
       {"rig", hello.rig},
@@ -35,7 +39,7 @@ std::string line_of(const Hello& hello) {
       {"gives", rig_config::external_gives_names.at(static_cast<std::size_t>(hello.gives))},
       {"step_s", hello.step_s},
       {"lockstep", hello.lockstep},
-      {"devices", std::move(devices)}};
+      {"devices", json_of(hello.devices)}};
   return text::json_of_any_text(json, -1);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,6 +30,8 @@ struct Hello {
 
 /// One line of JSON, without its end.
 std::string line_of(const Hello& hello);
+
+nlohmann::ordered_json json_of(const std::vector<Hello::Device>& devices);
 
 /// What is wrong with the other program's answer to it; empty: nothing.
 std::string fault_of_hello(std::string_view line);

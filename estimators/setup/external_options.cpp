@@ -5,27 +5,18 @@
 #include "estimators/external/step_topic_peer.hpp"
 #include "estimators/external/topic_peer.hpp"
 #include "estimators/setup/options_of.hpp"
+#include "estimators/setup/told_devices.hpp"
 
 namespace drydock::setup {
 namespace {
 
-external::Hello::Device told_device(const rig_config::DeviceConfig& device) {
-  return {.name = device.name,
-          .kind = std::string(measurement::to_string(device.kind)),
-          .rate_hz = device.rate_hz,
-          .lever_arm_m = device.lever_arm_m,
-          .mounting_rad = device.mounting_rad};
-}
-
 external::Hello hello_of(const rig_config::ExternalConfig& config, const EstimatorInRig& place) {
-  external::Hello hello{.rig = place.rig.name,
-                        .estimator = place.estimator.name,
-                        .gives = config.gives,
-                        .step_s = config.step_s,
-                        .lockstep = place.outside->lockstep,
-                        .devices = {}};
-  for (const auto& device : place.rig.devices) hello.devices.push_back(told_device(device));
-  return hello;
+  return {.rig = place.rig.name,
+          .estimator = place.estimator.name,
+          .gives = config.gives,
+          .step_s = config.step_s,
+          .lockstep = place.outside->lockstep,
+          .devices = told_devices(place.rig)};
 }
 
 external::ClientOptions client_of(const rig_config::ExternalConfig& config,

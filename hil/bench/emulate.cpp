@@ -11,6 +11,7 @@
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/bench/joint_troubles.hpp"
 #include "hil/bench/told_log.hpp"
+#include "hil/bench/told_on_bus.hpp"
 #include "hil/control/live_faults.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
 #include "hil/motion/ordered/takes_orders.hpp"
@@ -29,33 +30,34 @@ int emulate(const rig_config::Rig& rig, double duration_s) {
   }
   boost::asio::io_context io{1};
   const auto trajectory = motion::make_trajectory(rig.mission, link::steady_now());
-  std::optional<steer::AutopilotServer> autopilot;
   auto* steered = motion::steered(*trajectory);
   const bool by_dds = rig_config::steered_over_dds(rig.mission);
-  if (steered != nullptr && !by_dds) autopilot.emplace(io, *steered, rig.mission);
   const auto print_line = [](const std::string& line) {
     fmt::print("{}\n", line);
     std::fflush(stdout);
   };
   control::LiveFaults faults(io, rig, *trajectory, trajectory->start());
+  const auto troubles = [&](measurement::Stamp now) {
+    return joint_troubles(rig, faults.injector(), now);
+  };
+  std::optional<steer::AutopilotServer> autopilot;
+  if (steered != nullptr && !by_dds) autopilot.emplace(io, *steered, rig.mission, troubles);
   std::optional<bus::Participant> participant;
   std::optional<steer::DdsSteering> dds;
   if (steered != nullptr && by_dds)
-    dds.emplace(
-        io, participant.emplace(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface),
-        *steered, rig.mission,
-        [&](measurement::Stamp now) { return joint_troubles(rig, faults.injector(), now); },
-        print_line);
+    dds.emplace(io,
+                participant.emplace(static_cast<std::uint32_t>(rig.dds_domain), rig.dds_interface),
+                *steered, rig.mission, troubles, print_line);
   emulate::RealTimeEmulator emulator(io, faults.injector());
   ToldLog told;
+  ToldOnBus told_on_bus(io, rig, print_line);
   emulator.set_on_told([&](std::string_view device, std::string_view what) {
-    if (const auto line = told.add(device, what); !line.empty()) {
-      fmt::print("{}\n", line);
-      std::fflush(stdout);
-    }
+    if (const auto line = told.add(device, what); !line.empty()) print_line(line);
+    told_on_bus.tell({std::string(device), told.latest(device)});
   });
   io::UntilStopped until(io, duration_s, [&] {
     faults.stop();
+    told_on_bus.stop();
     emulator.stop();
     if (autopilot) autopilot->stop();
     if (dds) dds->stop();

@@ -19,9 +19,9 @@ void add(const rig_config::FaultConfig& fault, steer::JointTrouble& to) {
 
 }  // namespace
 
-steer::JointHelm::Troubles joint_troubles(const rig_config::Rig& rig,
-                                          const fault::Injector& injector, measurement::Stamp now) {
-  steer::JointHelm::Troubles troubles;
+steer::JointTroubles joint_troubles(const rig_config::Rig& rig, const fault::Injector& injector,
+                                    measurement::Stamp now) {
+  steer::JointTroubles troubles;
   for (const auto& device : rig.devices) {
     if (device.kind != rig_config::DeviceKind::actuator) continue;
     for (const auto& [fault, since, until] : injector.faults_of(device.name, now))

@@ -9,6 +9,8 @@
 #include "drivers/shell/recorded_starts.hpp"
 #include "drivers/shell/rig_devices.hpp"
 #include "estimators/setup/rig_pipeline.hpp"
+#include "hil/bench/joint_troubles.hpp"
+#include "hil/motion/remembered_trajectory.hpp"
 #include "rig_config/steering.hpp"
 
 namespace drydock::bench {
@@ -18,9 +20,11 @@ using measurement::Stamp;
 
 constexpr unsigned default_bit_rate = 250'000;
 
-/// Another program has a clock of its own.
-const rig_config::Rig& not_steered_by_a_program(const rig_config::Rig& rig) {
-  if (rig.mission.steering && !rig_config::steered_over_wires(rig.mission))
+/// Who steers by messages has a clock of its own.
+const rig_config::Rig& not_steered_in_real_time(const rig_config::Rig& rig) {
+  const auto& mission = rig.mission;
+  if (mission.steering && !rig_config::steered_over_wires(mission) &&
+      !rig_config::steered_by_program(mission))
     throw std::runtime_error(fmt::format(
         "{}: {} steers the vehicle of its mission, in real time; allowed without --speed max",
         rig.file, rig.mission.steering->from));
@@ -68,7 +72,7 @@ LockstepBench::LockstepBench(const rig_config::Rig& rig, const motion::Trajector
                              host::Follower& follower,
                              emulate::RealTimeEmulator::OnWritten on_written,
                              setup::Outside outside)
-    : rig_(not_steered_by_a_program(rig)),
+    : rig_(not_steered_in_real_time(rig)),
       follower_(follower),
       on_written_(std::move(on_written)),
       start_(motion.start()),
@@ -85,7 +89,10 @@ LockstepBench::LockstepBench(const rig_config::Rig& rig, const motion::Trajector
       if (files[file].devices.back() == i) play(files[file], starts[file]);
   }
   for (auto& bus : buses_) clock_.add(*bus.second.bus);
-  if (pilot::is_wanted(rig)) add_pilot(std::move(outside.say));
+  if (rig_config::steered_by_program(rig.mission))
+    add_program(motion, std::move(outside.say));
+  else if (pilot::is_wanted(rig))
+    add_pilot(std::move(outside.say));
 }
 
 LockstepBench::~LockstepBench() = default;
@@ -106,6 +113,16 @@ void LockstepBench::add_pilot(setup::Outside::Say say) {
       },
       say ? std::move(say) : [](const std::string&) {});
   clock_.add(*pilot_);
+}
+
+void LockstepBench::add_program(const motion::Trajectory& motion, setup::Outside::Say say) {
+  auto* steered = motion::steered_behind(motion);
+  if (steered == nullptr)
+    throw std::runtime_error(rig_.file + ": a program cannot steer the motion of this run");
+  program_ = std::make_unique<ProgramInStep>(
+      rig_, *steered, [this](Stamp at) { return joint_troubles(rig_, faults_, at); },
+      say ? std::move(say) : [](const std::string&) {});
+  clock_.add(*program_);
 }
 
 void LockstepBench::stop() {

@@ -13,6 +13,7 @@
 #include "estimators/pipeline/pipeline.hpp"
 #include "estimators/setup/outside.hpp"
 #include "hil/bench/pilot_in_step.hpp"
+#include "hil/bench/program_in_step.hpp"
 #include "hil/emulate/line_sharers.hpp"
 #include "hil/emulate/lockstep.hpp"
 #include "hil/emulate/real_time/real_time.hpp"
@@ -56,6 +57,8 @@ class LockstepBench final : private device::Listener {
   pipeline::Pipeline& pipeline() { return pipeline_; }
   const pipeline::Pipeline& pipeline() const { return pipeline_; }
   fault::Injector& faults() { return faults_; }
+  /// Null: no program steers the vehicle.
+  const ProgramInStep* program() const { return program_.get(); }
   /// Sets a fault by hand; its times count from now. Throws std::runtime_error with one line if the
   /// device cannot have it.
   void set_fault(const rig_config::FaultConfig& fault);
@@ -81,12 +84,14 @@ class LockstepBench final : private device::Listener {
                                                    std::unique_ptr<emulate::LineSharers> devices,
                                                    const link::Uri& uri);
   void add_pilot(setup::Outside::Say say);
+  void add_program(const motion::Trajectory& motion, setup::Outside::Say say);
   void add_to_bus(const rig_config::DeviceConfig& config, const link::Uri& uri,
                   shell::DeviceActor& actor);
 
   void on_measurement(const measurement::Measurement& m) override {
     follower_.on_measurement(m);
     if (pilot_) pilot_->receive(m);
+    if (program_) program_->receive(m);
     pipeline_.receive(m);
   }
   void on_state(const device::Device& device, const device::Transition& change) override {
@@ -108,7 +113,8 @@ class LockstepBench final : private device::Listener {
   std::map<std::string, Line> lines_;
   std::vector<std::unique_ptr<shell::Actor>> recordings_;  ///< one for each file
   std::map<std::string, Bus> buses_;
-  std::unique_ptr<PilotInStep> pilot_;  ///< null: nobody steers over the wires
+  std::unique_ptr<PilotInStep> pilot_;      ///< null: nobody steers over the wires
+  std::unique_ptr<ProgramInStep> program_;  ///< null: no program steers
 };
 
 }  // namespace drydock::bench

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 
 #include "drivers/host/finding_lines.hpp"
 #include "drivers/host/state_lines.hpp"
@@ -17,6 +18,7 @@
 #include "hil/fault/schedule/chronicle.hpp"
 #include "hil/motion/ordered/takes_orders.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
+#include "hil/summary/program_verdict.hpp"
 
 namespace drydock::bench {
 namespace {
@@ -32,6 +34,15 @@ bool plays_files_only(const rig_config::Rig& rig) {
          });
 }
 
+/// Whether a run of this length ends with its recordings. A vehicle that is steered from outside
+/// comes to no end of its own.
+bool ends_when_played(const rig_config::Rig& rig, double duration_s) {
+  if (duration_s > 0) return false;
+  if (plays_files_only(rig)) return true;
+  throw std::runtime_error(
+      rig.file + ": its motion has no end of its own; allowed in virtual time: with --for");
+}
+
 /// A run in virtual time.
 class LockstepRun {
  public:
@@ -44,7 +55,7 @@ class LockstepRun {
                         : mission_.emplace(motion::make_trajectory(rig.mission, start_))),
         duration_s_(options.duration_s > 0 ? options.duration_s
                                            : measurement::seconds(trajectory_.end() - start_)),
-        until_played_(duration_s_ <= 0 && plays_files_only(rig)),
+        until_played_(ends_when_played(rig, duration_s_)),
         run_(rig, options, trajectory_, {start_, duration_s_, record::WhenBehind::wait}),
         finding_lines_(rig, start_, [](const std::string& line) { fmt::print("{}\n", line); }),
         bench_(rig, trajectory_, run_.followers(), run_.on_written(),
@@ -94,6 +105,10 @@ class LockstepRun {
     s.notes = told_.notes();
     if (const auto* orders = motion::orders_of(trajectory_))
       std::ranges::move(motion::notes_of(orders->counters()), std::back_inserter(s.notes));
+    if (const auto* program = bench_.program()) {
+      std::ranges::move(program->notes(), std::back_inserter(s.notes));
+      s.verdicts.push_back(summary::verdict_of("steering", program->account()));
+    }
     run_.write(s);
     control::write(chronicle_, start_, s);
     return s;

@@ -92,6 +92,7 @@ class RealTimeRun {
     emulator_.set_on_written(run_.on_written());
     emulator_.set_on_told([this](std::string_view device, std::string_view what) {
       if (const auto line = told_.add(device, what); !line.empty()) table_.note(line);
+      publisher_.tell({std::string(device), told_.latest(device)}, link::now());
     });
     // Before the first line: nobody may read it any more.
     io::UntilStopped until(io_, time_left(), [this] { stop(); });
@@ -133,14 +134,14 @@ class RealTimeRun {
 
  private:
   void steer_from_outside(motion::SteeredTrajectory& motion) {
-    if (!rig_config::steered_over_dds(rig_.mission)) {
-      autopilot_.emplace(io_, motion, rig_.mission);
-      return;
-    }
-    dds_.emplace(
-        io_, participant_, motion, rig_.mission,
-        [this](measurement::Stamp now) { return joint_troubles(rig_, faults_.injector(), now); },
-        [this](const std::string& line) { table_.note(line); });
+    const auto troubles = [this](measurement::Stamp now) {
+      return joint_troubles(rig_, faults_.injector(), now);
+    };
+    if (rig_config::steered_over_dds(rig_.mission))
+      dds_.emplace(io_, participant_, motion, rig_.mission, troubles,
+                   [this](const std::string& line) { table_.note(line); });
+    else
+      autopilot_.emplace(io_, motion, rig_.mission, troubles);
   }
 
   void serve(const host::ServeOptions& options) {

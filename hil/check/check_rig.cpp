@@ -18,6 +18,7 @@
 #include "hil/motion/make_trajectory.hpp"
 #include "hil/ocean/raster.hpp"
 #include "hil/pilot/pilot.hpp"
+#include "rig_config/steering.hpp"
 
 namespace drydock::check {
 
@@ -126,6 +127,15 @@ Problems check_pilot(const Rig& rig) {
   return {};
 }
 
+/// A program on standard input and output waits for nobody's clock.
+Problems check_steering(const Rig& rig, Use use) {
+  const bool in_real_time = use == Use::real_time || use == Use::emulation;
+  if (!in_real_time || !rig_config::steered_by_program(rig.mission)) return {};
+  return {problem_at(rig.mission.places, "/steering/from",
+                     "a program steers in virtual time alone: allowed with run --speed max; in "
+                     "real time: \"dds\", \"wires\", \"ardupilot\"")};
+}
+
 }  // namespace
 
 Problems check_mission(const rig_config::MissionConfig& mission) {
@@ -139,6 +149,7 @@ Problems check_rig(const Rig& rig, Use use) {
   append(problems, use == Use::lockstep ? check_virtual_time(rig) : check_interface(rig));
   if (use == Use::emulation) append(problems, check_some_device_is_emulated(rig));
   append(problems, check_estimators(rig));
+  append(problems, check_steering(rig, use));
   append(problems, fault::check_faults(rig));
   if (use != Use::emulation) append(problems, check_pilot(rig));  // else another program steers
   append(problems, problems.empty() ? check_start(rig, use) : check_mission(rig.mission));

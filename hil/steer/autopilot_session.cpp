@@ -2,13 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "hil/motion/steered/fin_vehicle.hpp"
 #include "hil/steer/physics_line.hpp"
 
 namespace drydock::steer {
 
 AutopilotSession::AutopilotSession(motion::SteeredTrajectory& motion,
                                    const rig_config::MissionConfig& mission)
-    : motion_(motion), origin_{mission.latitude_rad, mission.longitude_rad, 0} {}
+    : motion_(motion),
+      actuators_(joints_of(mission)),
+      has_fins_(!mission.thruster_vehicle),
+      origin_{mission.latitude_rad, mission.longitude_rad, 0} {}
 
 std::string_view AutopilotSession::answer(wire::Bytes packet, Stamp now, Sender from) {
   const auto servo = read_servo_outputs(packet);
@@ -74,8 +80,18 @@ void AutopilotSession::step(const ServoOutputs& servo, Stamp now) {
   std::array<double, 32> outputs{};
   for (std::size_t i = 0; i < servo.pulse_us.size(); ++i)
     outputs[i] = normalised(servo.pulse_us[i]);
-  motion_.step(std::span(outputs).first(servo.pulse_us.size()), 1.0 / servo.rate_hz, now);
+  order(std::span<const double>(outputs), now);
+  const auto timed_out = [this](const Joint&) { ++counters_.timeouts; };
+  motion_.step(actuators_.outputs(now, motion_.latest(), timed_out), 1.0 / servo.rate_hz, now);
   ++counters_.steps;
+}
+
+/// An output beyond the last thruster moves nothing.
+void AutopilotSession::order(std::span<const double> outputs, Stamp now) {
+  const auto fins = motion::fin_shares_of(outputs);
+  const auto shares = has_fins_ ? std::span<const double>(fins) : outputs;
+  const std::size_t joints = std::min(actuators_.joints().size(), shares.size());
+  for (std::size_t i = 0; i < joints; ++i) actuators_.order(i, shares[i], now);
 }
 
 std::vector<std::string> AutopilotSession::notes() const {
@@ -89,6 +105,10 @@ std::vector<std::string> AutopilotSession::notes() const {
     notes.push_back(fmt::format(
         "ardupilot: {} packets of a second autopilot had no answer, because the first still spoke",
         counters_.others));
+  if (counters_.timeouts > 0)
+    notes.push_back(
+        fmt::format("ardupilot: {} times a joint that heard nothing went to its safe state",
+                    counters_.timeouts));
   if (motion_.waits() + motion_.jumps() > 0)
     notes.push_back(fmt::format(
         "ardupilot: its clock left real time: the motion stood still {} times and jumped ahead {} "

@@ -6,12 +6,11 @@
 #include <string>
 
 #include "hil/motion/steered/steered_trajectory.hpp"
+#include "hil/steer/joint_actuators.hpp"
 #include "hil/steer/servo_outputs.hpp"
 #include "rig_config/mission.hpp"
 
 namespace drydock::steer {
-
-using motion::Stamp;
 
 struct SessionCounters {
   std::uint64_t steps = 0;
@@ -21,6 +20,7 @@ struct SessionCounters {
   std::uint64_t restarts = 0;  ///< the count began anew: another run of the autopilot
   std::uint64_t refused = 0;   ///< packets that are none: wrong magic, length or rate
   std::uint64_t others = 0;    ///< packets of a second autopilot beside the first: no answer
+  std::uint64_t timeouts = 0;  ///< how often a joint that hears nothing went to its safe state
 };
 
 /// Tells one program that sends packets from another, as its address and port do.
@@ -42,6 +42,9 @@ class AutopilotSession {
   /// The answer to a packet; `now` is bench time. Empty: there is none. Valid until the next call.
   std::string_view answer(wire::Bytes packet, Stamp now, Sender from = 0);
 
+  /// The faults of the actuators from now on.
+  void set_troubles(JointTroubles troubles) { actuators_.set_troubles(std::move(troubles)); }
+
   const SessionCounters& counters() const { return counters_; }
   /// What a person should know about the session, as lines.
   std::vector<std::string> notes() const;
@@ -51,8 +54,11 @@ class AutopilotSession {
   bool takes(std::uint32_t count);
   void begin_run();
   void step(const ServoOutputs& servo, Stamp now);
+  void order(std::span<const double> outputs, Stamp now);
 
   motion::SteeredTrajectory& motion_;
+  JointActuators actuators_;
+  bool has_fins_;
   frame::Position origin_;
   std::optional<Sender> partner_;
   Stamp heard_at_{};

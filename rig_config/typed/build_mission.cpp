@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include "drivers/measurement/units.hpp"
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/toml/places_of.hpp"
@@ -62,10 +64,16 @@ GuidanceConfig build_guidance(const Node& table) {
   return guidance;
 }
 
-SteeringConfig build_steering(const Node& table) {
+SteeringConfig build_steering(const Node& table, const std::string& file) {
   SteeringConfig steering;
   read(table, "from", steering.from);
   read(table, "listen", steering.listen);
+  if (const Node* command = table.find("command"))
+    for (const Node& word : command->items) steering.command.push_back(word.text);
+  steering.folder = std::filesystem::path(file).parent_path().string();
+  read(table, "step_s", steering.step_s);
+  read(table, "answer_within_s", steering.answer_within_s);
+  read(table, "truth", steering.truth);
   return steering;
 }
 
@@ -101,7 +109,8 @@ MissionConfig build_mission(const Node& root, const std::string& file) {
     mission.track = TrackConfig{beside(file, track->find("file")->text)};
     mission.files.push_back(mission.track->file);
   }
-  if (const Node* steering = root.find("steering")) mission.steering = build_steering(*steering);
+  if (const Node* steering = root.find("steering"))
+    mission.steering = build_steering(*steering, file);
   mission.faults = build_faults(root, file);
   return mission;
 }

@@ -54,6 +54,7 @@ hil/ocean                  estimators/frame drivers/measurement rig_config
 hil/motion                 hil/ocean estimators/frame estimators/hydrodynamics estimators/vehicle drivers/measurement rig_config
 hil/steer                  hil/motion estimators/frame drivers/wire drivers/measurement rig_config
 hil/steer/real_time        hil/steer hil/motion drivers/bus drivers/link drivers/io drivers/wire drivers/measurement rig_config
+hil/steer/program          hil/steer hil/motion estimators/external estimators/pipeline drivers/text drivers/measurement rig_config
 hil/pilot                  hil/motion estimators/frame drivers/device drivers/wire drivers/measurement rig_config
 hil/pilot/real_time        hil/pilot drivers/host drivers/link drivers/io drivers/wire drivers/measurement rig_config
 hil/sensor                 hil/motion estimators/frame drivers/measurement rig_config
@@ -72,7 +73,7 @@ hil/validity/run           hil/validity hil/bench hil/summary hil/report hil/emu
 hil/summary                hil/pilot/loop_account drivers/bus/device drivers/diagnosis hil/report hil/motion estimators/pipeline estimators/frame drivers/host drivers/device drivers/link drivers/measurement rig_config drivers/text
 hil/control/request        drivers/live drivers/terminal
 hil/control                hil/control/request hil/fault hil/summary drivers/host drivers/bus drivers/live drivers/link drivers/io drivers/terminal rig_config
-hil/bench                  hil/pilot hil/pilot/real_time drivers/diagnosis hil/control hil/summary hil/report hil/fault hil/emulate hil/emulate/real_time hil/steer hil/steer/real_time hil/motion estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/monitor drivers/bus drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/measurement rig_config
+hil/bench                  hil/pilot hil/pilot/real_time drivers/diagnosis hil/control hil/summary hil/report hil/fault hil/emulate hil/emulate/real_time hil/steer hil/steer/program hil/steer/real_time hil/motion estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/monitor drivers/bus drivers/shell drivers/device drivers/link drivers/io drivers/terminal drivers/measurement rig_config
 hil/check                  hil/pilot hil/fault hil/emulate hil/motion hil/ocean estimators/setup estimators/pipeline estimators/vehicle estimators/hydrodynamics drivers/shell drivers/link drivers/text drivers/terminal drivers/wire/described/read_back drivers/wire/dbc/reader drivers/measurement rig_config
 hil/replay/reference       drivers/recordings/record drivers/bus drivers/text
 hil/replay                 drivers/diagnosis drivers/decode hil/report hil/replay/reference hil/bench hil/motion hil/summary hil/fault estimators/host estimators/setup estimators/pipeline estimators/frame drivers/host drivers/device drivers/recordings/record drivers/text drivers/bus drivers/link drivers/io drivers/terminal drivers/measurement rig_config

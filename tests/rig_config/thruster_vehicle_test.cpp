@@ -67,9 +67,12 @@ TEST(ThrusterVehicle, EachThrusterHasANameOfItsOwnForItsOrders) {
               testing::Contains(HasSubstr("/thruster/1/name: \"front-starboard\" is used twice")));
 }
 
-TEST(Steering, HasNoLegsAndNeedsAVehicle) {
-  EXPECT_THAT(lines_of(mission_with("[steering]\nfrom = \"ardupilot\"\n").error()),
-              testing::Contains(HasSubstr("vehicle")));
+TEST(Steering, HasNoLegsAndIsOfAKinematicVehicleWhereTheMissionNamesNone) {
+  for (const char* from : {"ardupilot", "dds"}) {
+    const auto kinematic = mission_with("[steering]\nfrom = \"" + std::string(from) + "\"\n");
+    ASSERT_TRUE(kinematic) << lines_of(kinematic.error()).front();
+    EXPECT_TRUE(is_kinematic(kinematic->vehicle.value()));
+  }
   const auto with_legs = mission_with(
       "vehicle = \"../vehicles/nps-auv-ii.toml\"\n[steering]\nfrom = \"ardupilot\"\n[[leg]]\nkind "
       "= "
@@ -79,7 +82,7 @@ TEST(Steering, HasNoLegsAndNeedsAVehicle) {
               testing::Contains(HasSubstr("another program steers the vehicle")));
 }
 
-TEST(Steering, OverDdsNeedsAVehicleAndHasNeitherLegsNorAPort) {
+TEST(Steering, OverDdsHasNeitherLegsNorAPort) {
   const std::string dds = "[steering]\nfrom = \"dds\"\n";
   const auto rov = mission_with("vehicle = \"../vehicles/bluerov2.toml\"\n" + dds);
   ASSERT_TRUE(rov);
@@ -87,12 +90,28 @@ TEST(Steering, OverDdsNeedsAVehicleAndHasNeitherLegsNorAPort) {
   EXPECT_FALSE(steered_over_wires(*rov));
   EXPECT_TRUE(mission_with("vehicle = \"../vehicles/nps-auv-ii.toml\"\n" + dds));
   EXPECT_THAT(lines_of(mission_with(dds + "listen = \"127.0.0.1:1\"\n").error()),
-              testing::UnorderedElementsAre(HasSubstr("key 'vehicle' is missing"),
-                                            HasSubstr("only for from = \"ardupilot\"")));
+              ElementsAre(HasSubstr("only for from = \"ardupilot\"")));
   EXPECT_THAT(lines_of(mission_with("vehicle = \"../vehicles/nps-auv-ii.toml\"\n" + dds +
                                     "[[leg]]\nkind = \"straight\"\nduration_s = 5\n")
                            .error()),
               testing::Contains(HasSubstr("another program steers the vehicle")));
+}
+
+TEST(Steering, ByAProgramHasItsCommandAndRunsInTheFolderOfTheMission) {
+  const std::string program = "[steering]\nfrom = \"program\"\n";
+  const auto mission = mission_with(program + "command = [\"./pilot\", \"-v\"]\ntruth = true\n");
+  ASSERT_TRUE(mission) << lines_of(mission.error()).front();
+  EXPECT_TRUE(steered_by_program(*mission));
+  EXPECT_THAT(mission->steering->command, ElementsAre("./pilot", "-v"));
+  EXPECT_THAT(mission->steering->folder, testing::EndsWith("rig_config/missions"));
+  EXPECT_TRUE(mission->steering->truth);
+  EXPECT_EQ(mission->steering->step_s, 0.05);
+  EXPECT_THAT(lines_of(mission_with(program).error()),
+              ElementsAre(HasSubstr("/steering: key 'command' is missing")));
+  EXPECT_THAT(lines_of(mission_with(program + "command = [\"a\"]\nstep_s = 0.6\n").error()),
+              ElementsAre(HasSubstr("/steering/step_s")));
+  EXPECT_THAT(lines_of(mission_with("[steering]\nfrom = \"dds\"\ncommand = [\"a\"]\n").error()),
+              ElementsAre(HasSubstr("only for from = \"program\"")));
 }
 
 TEST(Steering, OverTheWiresMayHaveLegsAndNeedNotHaveAVehicle) {

@@ -29,6 +29,7 @@ void add_troubles(std::vector<PaneLine>& lines, const DeviceView& d, double now_
   if (!d.last_error.empty() && (d.streaming || d.last_error != d.status))
     add_wrapped(lines, "last error: " + d.last_error, width);
   if (!d.link_note.empty()) add_wrapped(lines, "link: " + d.link_note, width);
+  if (!d.told.empty()) add_wrapped(lines, "was told: " + d.told, width);
 }
 
 /// As many columns as the widest value allows.

@@ -19,15 +19,13 @@ double output(std::span<const double> outputs, std::size_t i) {
 
 // Positive rudder turns to port, positive stern planes push the nose down, positive bow planes push
 // it up.
-Command fins_of(std::span<const double> outputs, const rig_config::VehicleConfig& vehicle) {
+FinShares fin_shares_of(std::span<const double> outputs) {
   const double starboard = output(outputs, 0), port = output(outputs, 1), down = output(outputs, 2);
-  Command command;
-  command.delta_r = -(port - starboard) / 2 * vehicle.rudder.limit_rad;
-  command.delta_s = down * vehicle.stern_planes.limit_rad;
-  command.delta_b = -down * vehicle.bow_planes.limit_rad;
-  const double fastest = vehicle.propeller.advance_m * vehicle.propeller.limit_radps;
-  command.speed_mps = std::max((port + starboard) / 2, 0.0) * fastest;
-  return command;
+  return {-(port - starboard) / 2, down, -down, std::max((port + starboard) / 2, 0.0)};
+}
+
+Command fins_of(std::span<const double> outputs, const rig_config::VehicleConfig& vehicle) {
+  return fins_alone(fin_shares_of(outputs), vehicle);
 }
 
 Command fins_alone(std::span<const double> outputs, const rig_config::VehicleConfig& vehicle) {

@@ -3,19 +3,17 @@
 #include "estimators/frame/attitude.hpp"
 #include "hil/motion/steered/fin_vehicle.hpp"
 #include "hil/motion/steered/thruster_vehicle.hpp"
-#include "rig_config/steering.hpp"
 
 namespace drydock::motion {
 
 std::unique_ptr<SteeredVehicle> make_steered_vehicle(const rig_config::MissionConfig& mission) {
   if (mission.thruster_vehicle) return std::make_unique<ThrusterVehicle>(mission);
-  return std::make_unique<FinVehicle>(
-      mission, rig_config::steered_over_dds(mission) ? &fins_alone : &fins_of);
+  return std::make_unique<FinVehicle>(mission, mission.steering ? &fins_alone : &fins_of);
 }
 
 std::size_t outputs_of(const rig_config::MissionConfig& mission) {
   if (mission.thruster_vehicle) return mission.thruster_vehicle->thrusters.size();
-  return rig_config::steered_over_dds(mission) ? 4 : 3;
+  return mission.steering ? 4 : 3;
 }
 
 VehicleState first_state(const rig_config::MissionConfig& mission) {

@@ -19,9 +19,9 @@ class SteeredVehicle {
   virtual const ocean::Ocean& ocean() const = 0;
 };
 
-/// The thrusters in the order of the vehicle file take the outputs. A vehicle with fins takes the
-/// outputs of three thrusters, see fins_of(), or those of its actuators, see fins_alone(). Throws
-/// std::invalid_argument for a vehicle that is not possible.
+/// The thrusters in the order of the vehicle file take the outputs. A vehicle with fins takes those
+/// of its actuators, see fins_alone(); without [steering] those of three thrusters, see fins_of().
+/// Throws std::invalid_argument for a vehicle that is not possible.
 std::unique_ptr<SteeredVehicle> make_steered_vehicle(const rig_config::MissionConfig& mission);
 
 /// How many outputs it takes.

@@ -43,7 +43,7 @@ void add_score(CLI::App& app, Command& command) {
   sub->add_option("--truth", options->truth, "recording of an emulated vehicle (MCAP)")->required();
   sub->add_option("--format", options->format, "csv, tum, mcap; default by the file's name")
       ->check(CLI::IsMember({"csv", "tum", "mcap"}));
-  sub->add_option("--topic", options->topic, "of nav_msgs/Odometry, in an MCAP file with several");
+  sub->add_option("--topic", options->topic, "of estimates, in an MCAP file with several");
   sub->add_option_function<std::string>(
          "--align",
          [options](const std::string& name) { options->alignment = alignment_named(name); },

@@ -8,6 +8,7 @@
 #include <boost/asio/detached.hpp>
 #include <charconv>
 #include <stdexcept>
+#include <utility>
 
 #include "drivers/io/as_outcome.hpp"
 #include "drivers/link/clock.hpp"
@@ -50,8 +51,10 @@ Sender sender_of(const udp::endpoint& endpoint) {
 }  // namespace
 
 AutopilotServer::AutopilotServer(asio::io_context& context, motion::SteeredTrajectory& motion,
-                                 const rig_config::MissionConfig& mission)
-    : socket_(bound(context, mission.steering.value().listen)), session_(motion, mission) {
+                                 const rig_config::MissionConfig& mission, JointTroublesAt troubles)
+    : socket_(bound(context, mission.steering.value().listen)),
+      session_(motion, mission),
+      troubles_(std::move(troubles)) {
   asio::co_spawn(context, serve(), asio::detached);
 }
 
@@ -68,8 +71,9 @@ asio::awaitable<void> AutopilotServer::serve() {
         co_await socket_.async_receive_from(asio::buffer(packet), sender, io::as_outcome);
     if (error == asio::error::operation_aborted || !socket_.is_open()) co_return;
     if (error) continue;  // an earlier answer was not taken: the autopilot has gone
-    const auto answer =
-        session_.answer(wire::Bytes{packet}.first(size), link::steady_now(), sender_of(sender));
+    const Stamp now = link::steady_now();
+    session_.set_troubles(troubles_(now));
+    const auto answer = session_.answer(wire::Bytes{packet}.first(size), now, sender_of(sender));
     if (answer.empty()) continue;
     co_await socket_.async_send_to(asio::buffer(answer), sender, io::as_outcome);
   }

@@ -12,10 +12,11 @@ namespace drydock::steer {
 /// address that spoke.
 class AutopilotServer {
  public:
-  /// `mission.steering` must be set. The motion and the io_context must outlive the server. Throws
-  /// std::runtime_error (one line) if the port cannot be had.
+  /// `mission.steering` must be set. The motion and the io_context must outlive the server.
+  /// `troubles` is asked before each step. Throws std::runtime_error (one line) if the port cannot
+  /// be had.
   AutopilotServer(boost::asio::io_context& io, motion::SteeredTrajectory& motion,
-                  const rig_config::MissionConfig& mission);
+                  const rig_config::MissionConfig& mission, JointTroublesAt troubles);
 
   void stop();
   unsigned short port() const { return socket_.local_endpoint().port(); }
@@ -26,6 +27,7 @@ class AutopilotServer {
 
   boost::asio::ip::udp::socket socket_;
   AutopilotSession session_;
+  JointTroublesAt troubles_;
 };
 
 }  // namespace drydock::steer

@@ -13,7 +13,7 @@ constexpr std::chrono::milliseconds period{5};
 
 DdsSteering::DdsSteering(boost::asio::io_context& io, const bus::Participant& participant,
                          motion::SteeredTrajectory& motion,
-                         const rig_config::MissionConfig& mission, TroublesAt troubles,
+                         const rig_config::MissionConfig& mission, JointTroublesAt troubles,
                          JointHelm::Say say)
     : timer_(io),
       reader_(participant),

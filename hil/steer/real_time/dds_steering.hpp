@@ -17,16 +17,16 @@ inline constexpr const char* order_topics =
 /// io_context.
 class DdsSteering {
  public:
-  using TroublesAt = std::function<JointHelm::Troubles(Stamp now)>;
-
   /// All references must outlive it. Throws bus::Error with one line.
   DdsSteering(boost::asio::io_context& io, const bus::Participant& participant,
               motion::SteeredTrajectory& motion, const rig_config::MissionConfig& mission,
-              TroublesAt troubles, JointHelm::Say say);
+              JointTroublesAt troubles, JointHelm::Say say);
 
   void start();
   void stop();
-  std::vector<std::string> notes() const { return notes_of(helm_.counters(), reader_.unusable()); }
+  std::vector<std::string> notes() const {
+    return notes_of("dds", helm_.counters(), reader_.unusable());
+  }
 
  private:
   void step();
@@ -35,7 +35,7 @@ class DdsSteering {
   bus::OrderReader reader_;
   motion::SteeredTrajectory& motion_;
   JointHelm helm_;
-  TroublesAt troubles_;
+  JointTroublesAt troubles_;
   Stamp last_{};
   bool stopped_ = false;
 };

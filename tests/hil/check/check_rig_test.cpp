@@ -190,6 +190,27 @@ TEST(CheckRig, AMissionThatCannotBeSailed) {
                                     "needs a pitch above 60 deg"));
 }
 
+TEST(CheckRig, AProgramThatSteersHasVirtualTimeAlone) {
+  const RigFolder folder;
+  folder.write("missions/m.toml",
+               "[mission]\nlatitude_deg = 36\nlongitude_deg = -122\n[steering]\nfrom = "
+               "\"program\"\ncommand = [\"./pilot\"]\n");
+  const auto rig = rig_config::load_rig(
+      folder.write("rigs/r.toml", "[rig]\nname = \"r\"\nmission = \"../missions/m.toml\"\n" +
+                                      device("dvl", "dvl", "pd0", "memory:dvl")),
+      load_options());
+  ASSERT_TRUE(rig);
+  EXPECT_THAT(check_rig(*rig), IsEmpty());
+  EXPECT_THAT(check_rig(*rig, Use::lockstep), IsEmpty());
+  for (const Use use : {Use::real_time, Use::emulation}) {
+    const auto problems = check_rig(*rig, use);
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_THAT(to_string(problems[0]),
+                HasSubstr("m.toml:5:8: /steering/from: a program steers in virtual time alone: "
+                          "allowed with run --speed max"));
+  }
+}
+
 TEST(CheckRig, ARasterThatIsNone) {
   const RigFolder folder;
   folder.write("missions/bed.asc", "ncols 2\n");

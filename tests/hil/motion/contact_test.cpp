@@ -83,7 +83,7 @@ TEST(Contact, AnInertialNavigationPassesTheHitOnTheSurface) {
 }
 
 /// The largest difference of the specific force from R^T (dv/dt - g) on the way of the NPS AUV II,
-/// whose vertical output is `down`, and how far it goes.
+/// whose planes push it down by this share of their limits, and how far it goes.
 struct Comparison {
   double worst_mps2 = 0, height_m = 0;
 };
@@ -93,7 +93,7 @@ Comparison compare_force_with_motion(double down) {
   std::array<Truth, 3> path{vehicle->truth(), vehicle->truth(), vehicle->truth()};
   Comparison found;
   for (int i = 0; i < 60 / h; ++i) {
-    vehicle->step(std::array{0.7, 0.7, down}, h);
+    vehicle->step(std::array{0.0, down, -down, 0.7}, h);  // rudder, planes, propeller
     path = {path[1], path[2], vehicle->truth()};
     const Eigen::Vector3d change = (path[2].velocity_ned - path[0].velocity_ned) / (2 * h);
     const Eigen::Vector3d gravity{0, 0, frame::gravity(path[1].latitude_rad, path[1].height_m)};

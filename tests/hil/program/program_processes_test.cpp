@@ -77,4 +77,17 @@ TEST(Program, AMonitorReadsTheBusWhileAnotherProcessHasThePorts) {
   EXPECT_THAT(outcome.output, HasSubstr("\"name\":\"velocity\""));
 }
 
+// The frame CFG-RATE, 500 ms, is that of u-blox's documents.
+TEST(Program, AMonitorSaysWhatAnEmulatedReceiverWasTold) {
+  const std::string told = "was told: CFG-RATE: an epoch each 500 ms";
+  const std::string set_rate =
+      "printf '\\265\\142\\006\\010\\006\\000\\364\\001\\001\\000\\001\\000\\013\\167' > "
+      "$(ls $XDG_RUNTIME_DIR/drydock-*/gnss); ";
+  std::string emulated = emulated_demo;
+  emulated.insert(emulated.size() - std::string(DRYDOCK_PROGRAM " ").size(), set_rate);
+  const std::string rig = "rig_config/rigs/demo.toml --once --for 4s";
+  EXPECT_THAT(drydock(emulated + "monitor --bus " + rig).output, HasSubstr(told));
+  EXPECT_THAT(drydock(emulated + "monitor " + rig).output, HasSubstr(told));
+}
+
 }  // namespace program_processes_test

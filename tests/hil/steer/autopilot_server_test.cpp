@@ -13,11 +13,13 @@ namespace {
 namespace asio = boost::asio;
 using asio::ip::udp;
 
+JointTroubles sound(Stamp) { return {}; }
+
 TEST(AutopilotServer, AnswersAnAutopilotAtTheAddressFromWhichItSpeaksAndNoSecondOneBeside) {
   const auto mission = mission_of("bluerov2.toml");
   motion::SteeredTrajectory motion(mission, bench_s(0));
   asio::io_context io{1};
-  AutopilotServer server(io, motion, mission);
+  AutopilotServer server(io, motion, mission, sound);
   const udp::endpoint there{asio::ip::address_v4::loopback(), server.port()};
   udp::socket first(io, {udp::v4(), 0}), second(io, {udp::v4(), 0});
   const auto say = [&](udp::socket& socket, std::uint32_t count) {
@@ -47,7 +49,7 @@ TEST(AutopilotServer, APortThatAnotherProgramHasIsALineThatNamesIt) {
   mission.steering->listen = "127.0.0.1:" + std::to_string(other.local_endpoint().port());
   motion::SteeredTrajectory motion(mission, bench_s(0));
   try {
-    AutopilotServer server(io, motion, mission);
+    AutopilotServer server(io, motion, mission, sound);
     FAIL() << "it has the port of another program";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find(mission.steering->listen), std::string::npos);

@@ -247,5 +247,48 @@ TEST(SteeredTrajectory, SensorsSeeTheMotionAtBenchTimeAndStandStillWithTheAutopi
   EXPECT_NEAR(moved, (then.longitude_rad - before.longitude_rad) / 40, 1e-11);
 }
 
+constexpr auto hard_to_port = [](double starboard, double port) {
+  const auto pulse = [](double output) {
+    return static_cast<std::uint16_t>(std::lround(1500 + 400 * output));
+  };
+  return Pulses{pulse(starboard), pulse(port), 1500};
+};
+
+// The rudder of this vehicle's file turns by 2.5 degrees a second, to 20 degrees.
+TEST(AutopilotSession, ASurfaceThatSticksOnItsWayStandsThereAndALateOneWaits) {
+  Loop stuck(mission_of("nps-auv-ii.toml"), 100), late(mission_of("nps-auv-ii.toml"), 100);
+  const Pulses port = hard_to_port(1, -1), centre = hard_to_port(0, 0);
+  stuck.hold(port, 4);
+  const double there = stuck.motion_.latest().rudder_rad;
+  EXPECT_NEAR(there, 4 * 2.5 * degree, 0.3 * degree);
+  stuck.session_.set_troubles({{"rudder", {.stuck = true}}});
+  stuck.hold(centre, 20);
+  EXPECT_NEAR(stuck.motion_.latest().rudder_rad, there, 1e-3);
+  stuck.session_.set_troubles({});
+  stuck.hold(centre, 20);
+  EXPECT_NEAR(stuck.motion_.latest().rudder_rad, 0, 1e-4);
+
+  late.session_.set_troubles({{"rudder", {.late = std::chrono::seconds{2}}}});
+  late.hold(port, 6);
+  EXPECT_NEAR(late.motion_.latest().rudder_rad, 4 * 2.5 * degree, 0.3 * degree);
+}
+
+// Without its vertical thrusters the vehicle floats up.
+TEST(AutopilotSession, ALostThrusterPushesNoMoreAndOneThatHearsNothingStopsAfterASecond) {
+  Loop lost(mission_of("bluerov2.toml"), 100), deaf(mission_of("bluerov2.toml"), 100);
+  const Pulses down = vectored(0, -1, 0, 0);
+  lost.session_.set_troubles(
+      {{"vertical-starboard", {.powerless = true}}, {"vertical-port", {.stuck = true}}});
+  EXPECT_LT(lost.hold(down, 3).velocity[2], 0) << "its buoyancy alone moves it";
+  deaf.hold(down, 3);
+  deaf.session_.set_troubles(
+      {{"vertical-starboard", {.deaf = true}}, {"vertical-port", {.deaf = true}}});
+  EXPECT_GT(deaf.hold(idle, 0.9).velocity[2], 0.5);
+  EXPECT_EQ(deaf.session_.counters().timeouts, 0u);
+  EXPECT_LT(deaf.hold(down, 10).velocity[2], 0);
+  EXPECT_EQ(deaf.session_.counters().timeouts, 2u);
+  EXPECT_THAT(deaf.session_.notes(), testing::Contains(HasSubstr("2 times a joint")));
+}
+
 }  // namespace
 }  // namespace drydock::steer::test

@@ -55,8 +55,6 @@ struct Steered {
   double now_s = 0;
 };
 
-constexpr double degree = 0.017453292519943295;
-
 // This vehicle's file: the rudder turns by 2.5 degrees a second, to 20 degrees at most.
 TEST(JointHelm, ASurfaceGoesToTheAngleOfItsOrderAtItsRateAndNotBeyondItsStop) {
   Steered rig("nps-auv-ii.toml");
@@ -194,6 +192,18 @@ TEST(JointHelm, AStuckSurfaceStandsALostPropellerStopsALateRudderWaits) {
   EXPECT_NEAR(rig.run(10, [&] { orders(0.1, -0.1); }).rudder_rad, 0.1, 1e-3);
   rig.helm.set_troubles({});
   EXPECT_NEAR(rig.run(20, [&] { orders(-0.1, -0.1); }).stern_plane_rad, -0.1, 1e-3);
+}
+
+// The law of a kinematic vehicle: 10 degrees of rudder turn it on a radius of 29.4 m, and its
+// propeller gives 0.012 m for each radian.
+TEST(JointHelm, AKinematicVehicleTurnsAndSailsByTheLawOfItsActuators) {
+  Steered rig({});
+  const auto moved = rig.run(40, [&] {
+    rig.order("rudder", -10 * degree);
+    rig.order("propeller", {}, 150);
+  });
+  EXPECT_NEAR(moved.velocity_ned.norm(), 1.8, 0.01);
+  EXPECT_NEAR(moved.rate_body.z(), 1.8 / 29.4, 1e-3) << "to starboard";
 }
 
 }  // namespace

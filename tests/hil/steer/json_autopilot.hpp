@@ -11,6 +11,8 @@
 /// The other side of ArduPilot's JSON physics interface, written from its description.
 namespace drydock::steer::test {
 
+inline constexpr double degree = 0.017453292519943295;
+
 inline measurement::Stamp bench_s(double t) {
   return measurement::stamp_from_ns(1'700'000'000'000'000'000) + measurement::from_seconds(t);
 }
@@ -85,12 +87,14 @@ class Loop {
   Physics state_;
 };
 
+/// `vehicle`: a shipped file; empty: the vehicle is kinematic.
 inline rig_config::MissionConfig mission_of(const std::string& vehicle, double depth_m = 5) {
+  const std::string named = vehicle.empty() ? "" : "\nvehicle = \"../vehicles/" + vehicle + "\"";
   const std::string text =
       "[mission]\nlatitude_deg = 47.0\nlongitude_deg = 8.0\nheading_deg = 90.0\n"
       "depth_m = " +
-      std::to_string(depth_m) + "\nvehicle = \"../vehicles/" + vehicle +
-      "\"\n[steering]\nfrom = \"ardupilot\"\n"
+      std::to_string(depth_m) + named +
+      "\n[steering]\nfrom = \"ardupilot\"\n"
       "listen = \"127.0.0.1:0\"\n"
       "[ocean]\nbed = { kind = \"plane\", depth_m = 50.0 }\n";
   return rig_config::load_mission_text(text, DRYDOCK_SOURCE_DIR "/rig_config/missions/test.toml")
