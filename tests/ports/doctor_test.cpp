@@ -7,12 +7,12 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "tests/ports/usb_device.hpp"
 #include "tests/vcan/process.hpp"
 
 namespace drydock::ports {
@@ -37,30 +37,12 @@ std::string said_by(const std::string& command) {
   return shell.output_until("\n\n");
 }
 
-/// An adapter in software, plugged in and given orders (usb_can.py): can2 and, for gs_usb, can3.
-class Adapter {
- public:
-  explicit Adapter(const std::string& driver) {
-    vcan::run_program({"modprobe", "-a", "vhci-hcd", driver});
-    const std::string program = DRYDOCK_SOURCE_DIR "/tests/ports/usb_can.py ";
-    orders_ = ::popen(("exec python3 -B -S -E " + program + driver + " >/dev/null").c_str(), "w");
-    order("plug");
+/// A CAN adapter whose interfaces are there: can2 and, for gs_usb, can3.
+struct Adapter : UsbDevice {
+  explicit Adapter(const std::string& driver) : UsbDevice("usb_can.py " + driver) {
     for (int i = 0; i < 500 && !std::filesystem::exists("/sys/class/net/can2"); ++i)
       std::this_thread::sleep_for(20ms);
   }
-  Adapter(const Adapter&) = delete;
-  Adapter& operator=(const Adapter&) = delete;
-  ~Adapter() {
-    order("unplug");
-    EXPECT_EQ(::pclose(orders_), 0);
-  }
-  void order(const std::string& line) {
-    std::fprintf(orders_, "%s\n", line.c_str());
-    std::fflush(orders_);
-  }
-
- private:
-  std::FILE* orders_ = nullptr;
 };
 
 /// A rig with these links, on disk.

@@ -18,8 +18,8 @@ std::string kernel_driver(const std::string& port) {
   return driver.parent_path().parent_path().filename() / driver.filename();
 }
 
-void runs_on(const std::vector<std::string>& ports) {
-  std::set<std::string> drivers;
+void runs_on(const std::vector<std::string>& ports, const std::string& more) {
+  std::set<std::string> drivers{more};
   for (const auto& port : ports) drivers.insert(kernel_driver(port));
   std::string names;
   for (const auto& name : drivers) names += (names.empty() ? "" : " ") + name;

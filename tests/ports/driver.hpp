@@ -10,7 +10,7 @@ namespace drydock::ports {
 std::string kernel_driver(const std::string& port);
 
 /// Writes the drivers of these into the report of the test that runs, for the table that
-/// with-ports.py prints.
-void runs_on(const std::vector<std::string>& ports);
+/// with-ports.py prints. `more`: a driver without a device in sysfs.
+void runs_on(const std::vector<std::string>& ports, const std::string& more = {});
 
 }  // namespace drydock::ports

@@ -1,9 +1,7 @@
 // A USB serial adapter that is pulled out under load and put in again.
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <linux/serial.h>
 #include <sys/file.h>
-#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -135,20 +133,6 @@ TEST_F(Adapter, ALastingNameFollowsTheAdapterWhenTheKernelsNamesChangePlaces) {
   EXPECT_NE(std::filesystem::canonical(lasting_name("A")), first) << "the kernel's name";
   ASSERT_TRUE(bench.reaches(State::streaming)) << bench.health().status.view();
   EXPECT_TRUE(bench.hears_again());
-}
-
-TEST(LowLatency, IsSetAtTheAdapterWhoseTimerElseHoldsBytesBackFor16Milliseconds) {
-  runs_on({"/dev/ttyUSB0", "/dev/ttyUSB1"});
-  const int fd = ::open("/dev/ttyUSB0", O_RDWR | O_NOCTTY | O_CLOEXEC);
-  ASSERT_GE(fd, 0);
-  serial_struct before{};
-  ASSERT_EQ(::ioctl(fd, TIOCGSERIAL, &before), 0);
-  Bench bench(log_on("/dev/ttyUSB0"), log_on("/dev/ttyUSB1"));
-  ASSERT_TRUE(bench.reaches(State::streaming));
-  serial_struct open{};
-  ASSERT_EQ(::ioctl(fd, TIOCGSERIAL, &open), 0);
-  EXPECT_NE(open.flags & ASYNC_LOW_LATENCY, 0);
-  ::close(fd);
 }
 
 }  // namespace

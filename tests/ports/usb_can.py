@@ -1,144 +1,39 @@
 #!/usr/bin/env python3
 """USB CAN adapters in software, for the kernel's own drivers: usb_can.py gs_usb | usb_8dev
 
-The adapter hangs at the kernel's virtual USB port (USB/IP, vhci-hcd). Its bus is in this program, so it shows what QEMU's
-controllers lack: error states, bus-off, stamps of the controller, an adapter that is pulled out. Orders, a line each, on
-standard input: plug | unplug | state CHANNEL NAME | late MILLISECONDS | fd CHANNEL | foreign CHANNEL COUNT
-late: every second frame reaches the kernel so much later than its stamp says.
+Its bus is in this program, so it shows what QEMU's controllers lack: error states, bus-off, stamps of the controller, an adapter
+that is pulled out. Its orders beside those of usb_device.py: state CHANNEL NAME | late MILLISECONDS | fd CHANNEL |
+foreign CHANNEL COUNT. late: every second frame reaches the kernel so much later than its stamp says.
   gs_usb     two channels on one bus, CAN FD, stamps of the controller (1 us)     usb_8dev   one channel, restart-ms"""
 import os
-import signal
-import socket
 import struct
 import sys
 import threading
 import time
 
-VHCI = "/sys/devices/platform/vhci_hcd.0/"
-FREE = 4  # state of a port: VDEV_ST_NULL, linux/usbip.h
-SUBMIT, UNLINK = 1, 2  # Documentation/usb/usbip_protocol.rst
-STALL, UNLINKED = -32, -104
+import usb_device
+
 NAMELESS = 0xFFFFFFFF  # gs_usb: a frame that the host did not send
 # linux/can/error.h: identifiers of error frames, and byte 1 of one that tells a controller's state.
 BUS_OFF, RESTARTED, STATE = 0x20000040, 0x20000100, 0x20000204
 STATES = {"active": 0x40, "warning": 0x08, "passive": 0x20, "overflow": 0x01}
 
 
-def run(command):
-    """By the shell: the module `subprocess` takes a second to load under emulation."""
-    if os.system(command):
-        raise RuntimeError(command)
+class Adapter(usb_device.Device):
+    """A controller says frames of others by foreign(), and its own state by state()."""
 
-
-def free_port():
-    """The first port of the virtual hub for high speed that nothing is plugged into."""
-    with open(VHCI + "status") as status:
-        rows = [line.split() for line in status][1:]
-    return next(int(row[1]) for row in rows if row[0] == "hs" and int(row[2]) == FREE)
-
-
-class Adapter:
-    """A USB device behind the virtual port: the requests of enumeration, and queues of its bulk pipes."""
-    product = "CAN adapter"
-    stays = False  # in its port when the orders have ended
-
-    def __init__(self):
-        self.lock = threading.RLock()
-        self.late_ms = 0
-
-    def plug(self):
-        self.asked, self.ready, self.odd = {}, {}, False
-        self.pipe, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
-        self.port = free_port()
-        with open(VHCI + "attach", "w") as port:
-            port.write(f"{self.port} {theirs.fileno()} 65537 3")  # port, socket, device number, high speed
-        theirs.close()
-        threading.Thread(target=self.serve, args=(self.pipe,), daemon=True).start()
-
-    def unplug(self):
-        with open(VHCI + "detach", "w") as port:
-            port.write(str(self.port))
-
-    def descriptor(self, what, number):
-        if what == 1:
-            return struct.pack("<BBHBBBBHHHBBBB", 18, 1, 0x200, 0, 0, 0, 64, self.vendor, self.model, 0x100, 1, 2, 3, 1)
-        if what == 2:
-            pipes = b"".join(struct.pack("<BBBBHB", 7, 5, pipe, 2, 512, 0) for pipe in self.pipes)
-            return (struct.pack("<BBHBBBBB", 9, 2, 18 + len(pipes), 1, 1, 0, 0x80, 50)
-                    + bytes([9, 4, 0, 0, len(self.pipes), 255, 255, 255, 0]) + pipes)
-        if what == 3:
-            text = ["", "drydock", self.product, "1"][number].encode("utf-16le") if number else b"\x09\x04"
-            return bytes([len(text) + 2, 3]) + text
-        return None
-
-    def control(self, setup, data):
-        kind, request, value, _, _ = struct.unpack("<BBHHH", setup)
-        if kind & 0x60:
-            return self.order(request, value, data)
-        return self.descriptor(value >> 8, value & 255) if (kind, request) == (0x80, 6) else b"\0\0"
-
-    def take(self, pipe, size):
-        data = b""
-        while len(data) < size:
-            piece = pipe.recv(size - len(data))
-            if not piece:
-                raise EOFError
-            data += piece
-        return data
-
-    def reply(self, sequence, status=0, data=b"", length=None):
-        length = len(data) if length is None else length
-        self.pipe.sendall(struct.pack(">5I5i8x", 3, sequence, 0, 0, 0, status, length, 0, 0, 0) + data)
-
-    def serve(self, pipe):
-        try:
-            while True:
-                self.request(pipe, self.take(pipe, 48))
-        except (EOFError, OSError):
-            pass  # unplugged
-
-    def request(self, pipe, head):
-        command, sequence, _, inward, end = struct.unpack_from(">5I", head)
-        with self.lock:
-            if command == UNLINK:
-                self.unlink(sequence, struct.unpack_from(">I", head, 20)[0])
-                return
-        length = struct.unpack_from(">i", head, 24)[0]
-        data = b"" if inward else self.take(pipe, length)
-        with self.lock:
-            if end == 0:
-                answer = self.control(head[40:48], data)
-                self.reply(sequence, STALL if answer is None else 0, (answer or b"")[:length] if inward else b"",
-                           None if inward or answer is None else length)
-            elif inward:
-                self.asked.setdefault(end, []).append(sequence)
-                self.pump(end)
-            else:
-                self.reply(sequence, length=length)
-                self.sent(end, data)
-
-    def unlink(self, sequence, victim):
-        waiting = [queue for queue in self.asked.values() if victim in queue]
-        for queue in waiting:
-            queue.remove(victim)
-        self.pipe.sendall(struct.pack(">5Ii24x", 4, sequence, 0, 0, 0, UNLINKED if waiting else 0))
-
-    def give(self, end, data):
-        self.odd = not self.odd
-        if self.late_ms and self.odd:
-            threading.Timer(self.late_ms / 1e3, self.give_now, (end, data)).start()
+    def obey(self, order, *words):
+        if order == "state":
+            self.state(int(words[0]), words[1])
+        elif order == "late":
+            self.late_ms = float(words[0])
+        elif order == "fd":
+            self.foreign(int(words[0]), 0x80000000 | 0x1DEFFF01, 15, 2 | 4, bytes(range(64)))
+        elif order == "foreign":  # NMEA 2000 water depth (PGN 128267) of 10 m from address 35
+            for number in range(int(words[1])):
+                self.foreign(int(words[0]), 0x80000000 | 0x0DF50B23, 8, 0, struct.pack("<BIhB", number & 127, 1000, 0, 255))
         else:
-            self.give_now(end, data)
-
-    def give_now(self, end, data):
-        with self.lock:
-            self.ready.setdefault(end, []).append(data)
-            self.pump(end)
-
-    def pump(self, end):
-        asked, ready = self.asked.setdefault(end, []), self.ready.setdefault(end, [])
-        while asked and ready:
-            self.reply(asked.pop(0), data=ready.pop(0))
+            super().obey(order, *words)
 
 
 class GsUsb(Adapter):
@@ -146,9 +41,13 @@ class GsUsb(Adapter):
     vendor, model, pipes = 0x1D50, 0x606F, (0x81, 0x02)
     FEATURES = 1 | 16 | 256 | 1024  # listen-only, hardware timestamps, CAN FD, extended bit timing
     TIMING = (1, 256, 1, 128, 128, 1, 512, 1)  # segments, jump width, prescaler: smallest and largest of each
-    open = {0: 0, 1: 0}
+    late_ms, odd = 0, False
 
-    def order(self, request, value, data):
+    def __init__(self):
+        super().__init__()
+        self.open = {0: 0, 1: 0}
+
+    def control_of(self, request, value, data):
         if request == 2:
             self.open[value] = struct.unpack_from("<I", data)[0]
         answers = {4: struct.pack("<10I", self.FEATURES, 80_000_000, *self.TIMING), 5: struct.pack("<4B2I", 0, 0, 0, 1, 2, 1),
@@ -163,11 +62,18 @@ class GsUsb(Adapter):
         return (struct.pack("<IIBBBB", echo, identifier, dlc, channel, flags, 0) + data[:size].ljust(size, b"\0")
                 + struct.pack("<I", self.now()))
 
+    def give(self, data):
+        self.odd = not self.odd
+        if self.late_ms and self.odd:
+            threading.Timer(self.late_ms / 1e3, self.give_now, (1, data)).start()
+        else:
+            self.give_now(1, data)
+
     def sent(self, _, data):
         echo, identifier, dlc, channel, flags, _ = struct.unpack_from("<IIBBBB", data)
         self.give_now(1, self.frame(channel, echo, identifier, dlc, flags, data[12:]))
         if self.open[1 - channel]:
-            self.give(1, self.frame(1 - channel, NAMELESS, identifier, dlc, flags, data[12:]))
+            self.give(self.frame(1 - channel, NAMELESS, identifier, dlc, flags, data[12:]))
 
     def foreign(self, channel, identifier, dlc, flags, data):
         self.give_now(1, self.frame(channel, NAMELESS, identifier, dlc, flags, data))
@@ -188,9 +94,9 @@ class Usb8dev(Adapter):
     def unplug(self):
         for name in os.listdir("/sys/class/net"):
             if name.startswith("can") and os.path.realpath(f"/sys/class/net/{name}/device/driver").endswith("usb_8dev"):
-                run(f"ip link set {name} down && ip link set {name} name left{self.port}")
+                usb_device.run(f"ip link set {name} down && ip link set {name} name left{self.port}")
 
-    def order(self, request, value, data):
+    def control_of(self, request, value, data):
         return b""
 
     def sent(self, end, data):
@@ -205,42 +111,4 @@ class Usb8dev(Adapter):
         self.give_now(1, struct.pack(">BBBIB", 0x55, 3, 4, 0, 8) + body + bytes(4) + b"\xaa")
 
 
-def obey(adapter, order, *words):
-    if order in ("plug", "unplug"):
-        getattr(adapter, order)()
-    elif order == "state":
-        adapter.state(int(words[0]), words[1])
-    elif order == "late":
-        adapter.late_ms = float(words[0])
-    elif order == "fd":
-        adapter.foreign(int(words[0]), 0x80000000 | 0x1DEFFF01, 15, 2 | 4, bytes(range(64)))
-    elif order == "foreign":  # NMEA 2000 water depth (PGN 128267) of 10 m from address 35
-        for number in range(int(words[1])):
-            adapter.foreign(int(words[0]), 0x80000000 | 0x0DF50B23, 8, 0, struct.pack("<BIhB", number & 127, 1000, 0, 255))
-    else:
-        raise ValueError(order)
-
-
-def serve_orders(adapter):
-    for line in sys.stdin:
-        obey(adapter, *line.split())
-        print("done", line.strip(), flush=True)
-
-
-def serve_and_stay(adapter):
-    """A child serves the adapter for ever; this program ends with the orders."""
-    ours, theirs = os.pipe()
-    if os.fork():
-        os.close(theirs)
-        sys.exit(0 if os.read(ours, 1) else 1)
-    serve_orders(adapter)
-    os.write(theirs, b"0")
-    signal.pause()
-
-
-def main():
-    adapter = {"gs_usb": GsUsb, "usb_8dev": Usb8dev}[sys.argv[1]]()
-    (serve_and_stay if adapter.stays else serve_orders)(adapter)
-
-
-main()
+usb_device.main({"gs_usb": GsUsb, "usb_8dev": Usb8dev}[sys.argv[1]]())

@@ -9,7 +9,7 @@
 #include "drivers/link/can/can_interface.hpp"
 #include "tests/ports/can.hpp"
 #include "tests/ports/driver.hpp"
-#include "tests/ports/usb_can.hpp"
+#include "tests/ports/usb_device.hpp"
 
 namespace drydock::ports {
 namespace {
@@ -34,7 +34,7 @@ bool eventually(Done&& done) {
 /// One adapter for all of its tests: its program takes seconds to start under emulation.
 class GsUsb : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { adapter_ = std::make_unique<UsbCan>("gs_usb"); }
+  static void SetUpTestSuite() { adapter_ = std::make_unique<UsbDevice>("usb_can.py gs_usb"); }
   static void TearDownTestSuite() { adapter_.reset(); }
   void SetUp() override {
     ASSERT_TRUE(eventually([] { return is_there("can2") && is_there("can3"); }));
@@ -48,23 +48,27 @@ class GsUsb : public ::testing::Test {
   static void order(const std::string& line) { adapter_->order(line); }
 
  private:
-  static inline std::unique_ptr<UsbCan> adapter_;
+  static inline std::unique_ptr<UsbDevice> adapter_;
 };
 
 TEST_F(GsUsb, TheControllersStampsTakeOutTheTimeThatTheAdapterNeeds) {
   order("late 40");
   Bench bench(depth_on("can2"), depth_on("can3"));
   ASSERT_TRUE(bench.reaches(State::streaming)) << bench.health().status.view();
-  ASSERT_TRUE(bench.until([&] { return bench.received.size() >= 26; }));
+  ASSERT_TRUE(bench.until([&] { return bench.heard.size() >= 26; }));
   EXPECT_NE(bench.health().link_note.view().find("controller"), std::string_view::npos)
       << bench.health().link_note.view();
   // Every second frame of a 10 Hz sensor arrives 40 ms late: by arrival, one interval and the next
   // differ by 80 ms. The median leaves out what a busy machine delays.
   std::vector<double> differences_s;
-  const auto& at = bench.received;
-  const auto s = [](auto time) { return std::chrono::duration<double>(time).count(); };
-  for (std::size_t i = at.size() - 16; i + 2 < at.size(); ++i)
-    differences_s.push_back(std::abs(s(at[i + 2] - at[i + 1]) - s(at[i + 1] - at[i])));
+  const auto interval_s = [&](std::size_t i) {
+    const auto at = [&](std::size_t n) {
+      return measurement::origin_of(bench.heard[n]).received_at;
+    };
+    return measurement::seconds(at(i + 1) - at(i));
+  };
+  for (std::size_t i = bench.heard.size() - 16; i + 2 < bench.heard.size(); ++i)
+    differences_s.push_back(std::abs(interval_s(i + 1) - interval_s(i)));
   std::ranges::nth_element(differences_s, differences_s.begin() + 7);
   EXPECT_LT(differences_s[7], 0.04);
   order("late 0");
@@ -123,7 +127,7 @@ TEST_F(GsUsb, AnAdapterPulledOutAndPutInAgainStreamsAsSoonAsItIsUp) {
 }
 
 TEST(Usb8dev, TheKernelRestartsAControllerThatWentBusOff) {
-  UsbCan adapter("usb_8dev");
+  UsbDevice adapter("usb_can.py usb_8dev");
   ASSERT_TRUE(eventually([] { return is_there("can2"); }));
   runs_on({"can2"});
   bring_up("can2", "bitrate 250000 restart-ms 100");

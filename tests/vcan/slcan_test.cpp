@@ -1,13 +1,9 @@
-#include <fcntl.h>
 #include <gmock/gmock.h>
-#include <net/if.h>
-#include <sys/ioctl.h>
-
-#include <thread>
 
 #include "drivers/link/can/can_interface.hpp"
-#include "drivers/link/descriptor.hpp"
 #include "tests/drivers/link/running.hpp"
+#include "tests/hil/survive/bench.hpp"
+#include "tests/vcan/kernel_slcan.hpp"
 #include "tests/vcan/process.hpp"
 
 /// Our emulated slcan adapter with slcand of can-utils and the kernel's slcan driver.
@@ -54,43 +50,60 @@ TEST(SlcanAdapter, SlcandMakesACanInterfaceOfIt) {
   EXPECT_THAT(candump.output_until("\n"), ::testing::HasSubstr(" slc0 123#ABCD\n"));
 }
 
-/// The kernel's slcan driver on a pty: a CAN interface with a bit rate, without hardware.
 class KernelSlcan : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!std::filesystem::exists("/sys/module/slcan")) GTEST_SKIP() << "the kernel has no slcan";
-    master = Descriptor(::posix_openpt(O_RDWR | O_NOCTTY));
-    ASSERT_EQ(::grantpt(master.get()), 0);
-    ASSERT_EQ(::unlockpt(master.get()), 0);
-    slave = Descriptor(::open(::ptsname(master.get()), O_RDWR | O_NOCTTY));
-    const int slcan_discipline = 17;
-    ASSERT_EQ(::ioctl(slave.get(), TIOCSETD, &slcan_discipline), 0);
-    std::array<char, IFNAMSIZ> got{};
-    ASSERT_EQ(::ioctl(slave.get(), SIOCGIFNAME, got.data()), 0);
-    name = got.data();
-    // The kernel waits until somebody has read its command.
-    adapter = std::thread([this] {
-      std::array<char, 64> commands{};
-      while (::read(master.get(), commands.data(), commands.size()) > 0) {
-      }
-    });
-  }
-  void TearDown() override {
-    slave = Descriptor();  // the adapter then reads an error
-    if (adapter.joinable()) adapter.join();
+    slcan = vcan::slcan_on_pty();
+    ASSERT_FALSE(slcan->interface().empty());
   }
 
-  Descriptor master, slave;
-  std::thread adapter;
-  std::string name;
+  std::unique_ptr<vcan::KernelSlcan> slcan;
   asio::io_context io;
 };
 
 TEST_F(KernelSlcan, TheLinkKnowsTheRateThatTheInterfaceWasSetTo) {
-  ASSERT_EQ(
-      vcan::run_program({"ip", "link", "set", name, "up", "type", "can", "bitrate", "500000"}), 0);
-  EXPECT_EQ(open_bus(io, "socketcan:" + name, Side::driver)->bit_rate(), 500'000U);
-  EXPECT_EQ(open_bus(io, "socketcan:" + name + "?listen=1", Side::driver)->bit_rate(), 500'000U);
+  ASSERT_TRUE(slcan->bring_up());
+  const std::string link = "socketcan:" + slcan->interface() + "?bitrate=500000";
+  EXPECT_EQ(open_bus(io, link, Side::driver)->bit_rate(), 250'000U);
+  EXPECT_EQ(open_bus(io, link + "&listen=1", Side::driver)->bit_rate(), 250'000U);
+}
+
+TEST_F(KernelSlcan, OfAnAdapterThatOnlyListensIsKnownAsSuch) {
+  ASSERT_TRUE(slcan->bring_up("listen-only on"));
+  EXPECT_EQ(find_can_interface(slcan->interface())->listen_only, true);
+  const auto bus = open_bus(io, "socketcan:" + slcan->interface() + "?listen=1", Side::driver);
+  EXPECT_TRUE(run(io, bus->read()));
+  EXPECT_EQ(slcan->commands(), "C\rS5\rL\r");
+}
+
+TEST_F(KernelSlcan, TellsEveryStateOfItsAdapterAndItsDriverNamesIt) {
+  ASSERT_TRUE(slcan->bring_up());
+  vcan::expect_every_state_is_named(*slcan);
+  EXPECT_THAT(slcan->commands(), ::testing::StartsWith("C\rS5\rO\r"));
+}
+
+TEST_F(KernelSlcan, ThatIsBusOffIsBroughtBackByDownAndUp) {
+  ASSERT_TRUE(slcan->bring_up());
+  vcan::expect_bus_off_ends(*slcan);
+}
+
+TEST_F(KernelSlcan, WhoseAdapterIsPulledOutAndPutInAgainStreamsAsSoonAsItIsUp) {
+  ASSERT_TRUE(slcan->bring_up());
+  const std::string name = slcan->interface();
+  fault::testing::Bench bench(fault::testing::bus_depth("socketcan:" + name + "?emulated=1"),
+                              fault::testing::nobody);
+  ASSERT_TRUE(bench.reaches(device::State::streaming)) << bench.health().status.view();
+  slcan.reset();
+  ASSERT_TRUE(bench.reaches(device::State::backing_off));
+  ASSERT_TRUE(bench.until([&] {
+    return bench.lines.back().find("there is no CAN interface " + name) != std::string::npos;
+  })) << bench.lines.back();
+  slcan = vcan::slcan_on_pty();
+  ASSERT_EQ(slcan->interface(), name);
+  ASSERT_TRUE(slcan->bring_up());
+  ASSERT_TRUE(bench.reaches(device::State::streaming)) << bench.health().status.view();
+  EXPECT_TRUE(bench.hears_again());
 }
 
 }  // namespace

@@ -51,6 +51,9 @@ inline FaultConfig fault_of(const std::string& device, FaultKind kind,
   return fault;
 }
 
+/// The other end of the link is the test's own.
+inline const std::vector<rig_config::DeviceConfig> nobody;
+
 class Bench : private device::Listener {
  public:
   /// Both ends of one link. Silence for 0.4 s makes the device stale.
@@ -58,10 +61,13 @@ class Bench : private device::Listener {
       : Bench(quickly_stale(config), quickly_stale(config)) {}
   /// The driver's end and the emulated device's end of a line with two names.
   Bench(const rig_config::DeviceConfig& driver, const rig_config::DeviceConfig& emulated)
+      : Bench(driver, std::vector{emulated}) {}
+  Bench(const rig_config::DeviceConfig& driver,
+        const std::vector<rig_config::DeviceConfig>& emulated)
       : rig_(rig_of(driver)),
         drivers_(io, *shell::make_devices(rig_), *this),
         emulator_(io, injector) {
-    auto started = emulator_.start({emulated});
+    auto started = emulator_.start(emulated);
     if (!started) ADD_FAILURE() << started.error().message;
     drivers_.start();
   }
@@ -105,7 +111,7 @@ class Bench : private device::Listener {
 
   boost::asio::io_context io;
   std::uint64_t messages = 0;
-  std::vector<measurement::Stamp> received;  ///< received_at of each
+  std::vector<measurement::Measurement> heard;
   std::vector<State> states;
   std::vector<std::string> lines;
 
@@ -121,7 +127,7 @@ class Bench : private device::Listener {
   }
   void on_measurement(const measurement::Measurement& m) override {
     ++messages;
-    received.push_back(measurement::origin_of(m).received_at);
+    heard.push_back(m);
   }
   void on_state(const device::Device&, const device::Transition& change) override {
     states.push_back(change.to);
