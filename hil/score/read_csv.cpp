@@ -105,9 +105,9 @@ class CsvReader {
   /// disagreement.
   Vector3d place() {
     const bool has_local = head_.has_any(csv_local);
-    const Vector3d local = three(csv_local);
+    Vector3d local = three(csv_local);
     if (!head_.has_geodetic() && !head_.has(csv_geodetic[2])) return local;
-    const Vector3d from_degrees = geodetic();
+    Vector3d from_degrees = geodetic();
     if (!has_local) return from_degrees;
     if ((from_degrees - local).norm() > 0.1 + 1e-3 * local.norm())
       note(
@@ -117,7 +117,7 @@ class CsvReader {
   }
 
   Vector3d angles() {
-    const Vector3d told = three(csv_angles) * units::degree;
+    Vector3d told = three(csv_angles) * units::degree;
     if (!head_.has_quaternion()) return told;
     const Vector3d turned = angles_of_quaternion();
     if ((turns_between(told, turned).array().abs() > same_attitude_rad).any())
