@@ -19,10 +19,7 @@ bool have_node() {
          std::system("command -v node >/dev/null") == 0;
 }
 
-nlohmann::json run_node(const std::string& script, const std::vector<std::string>& arguments,
-                        const std::optional<std::string>& input) {
-  std::string command = "NODE_PATH=" + packages + " node " DRYDOCK_SOURCE_DIR "/" + script;
-  for (const auto& argument : arguments) command += " '" + argument + "'";
+nlohmann::json run_for_json(std::string command, const std::optional<std::string>& input) {
   const auto file =
       std::filesystem::temp_directory_path() / ("drydock-input-" + std::to_string(::getpid()));
   if (input) {
@@ -38,6 +35,13 @@ nlohmann::json run_node(const std::string& script, const std::vector<std::string
   const bool good = pclose(pipe) == 0;
   std::filesystem::remove(file);
   return good ? nlohmann::json::parse(text, nullptr, false) : nlohmann::json{};
+}
+
+nlohmann::json run_node(const std::string& script, const std::vector<std::string>& arguments,
+                        const std::optional<std::string>& input) {
+  std::string command = "NODE_PATH=" + packages + " node " DRYDOCK_SOURCE_DIR "/" + script;
+  for (const auto& argument : arguments) command += " '" + argument + "'";
+  return run_for_json(std::move(command), input);
 }
 
 }  // namespace drydock::test

@@ -12,6 +12,10 @@ namespace drydock::test {
 /// Node and the packages are there.
 bool have_node();
 
+/// What a command of the shell prints, as JSON. `input`, where given, becomes its standard input.
+/// Empty when it failed.
+nlohmann::json run_for_json(std::string command, const std::optional<std::string>& input = {});
+
 /// `script` is a path from the root of the tree. `input`, where given, becomes its standard input.
 /// Empty when it failed.
 nlohmann::json run_node(const std::string& script, const std::vector<std::string>& arguments,

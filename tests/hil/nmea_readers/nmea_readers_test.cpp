@@ -1,14 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-
-#include <unistd.h>
 
 #include "hil/sensor/sky.hpp"
 #include "rig_config/device_description/load_description.hpp"
@@ -30,20 +24,9 @@ constexpr double minute_deg = 1.0 / 60;
 bool has_pynmea2() { return std::system("/usr/bin/python3 -c 'import pynmea2' 2>/dev/null") == 0; }
 
 json read_by_pynmea2(const std::string& sentences) {
-  const auto folder = std::filesystem::temp_directory_path();
-  const auto file = folder / ("drydock-nmea-" + std::to_string(::getpid()));
-  std::ofstream(file) << sentences;
-  const std::string command = "/usr/bin/python3 " DRYDOCK_SOURCE_DIR
-                              "/tests/hil/nmea_readers/read_by_pynmea2.py < " +
-                              file.string();
-  std::FILE* pipe = popen(command.c_str(), "r");
-  std::string text;
-  std::array<char, 4096> chunk{};
-  while (const auto n = std::fread(chunk.data(), 1, chunk.size(), pipe))
-    text.append(chunk.data(), n);
-  const bool good = pclose(pipe) == 0;
-  std::filesystem::remove(file);
-  return good ? json::parse(text, nullptr, false) : json{};
+  return test::run_for_json("/usr/bin/python3 " DRYDOCK_SOURCE_DIR
+                            "/tests/hil/nmea_readers/read_by_pynmea2.py",
+                            sentences);
 }
 
 json read_by_nmea_simple(const std::string& sentences) {
