@@ -4,7 +4,7 @@
 QEMU's adapter takes a latency timer and does not wait for it. This one keeps bytes as the chip does: until a packet is full, or
 until its timer runs out, which starts with each packet (FTDI AN232B-04). The chip's packets without bytes are left out.
 Its order beside those of usb_device.py: say COUNT. Its UART then reads so many lines, one every 30 to 46 ms, each with the time at
-which it was there: nanoseconds of CLOCK_MONOTONIC."""
+which it was there, in nanoseconds of CLOCK_MONOTONIC, and the latency timer that the chip was told, in milliseconds."""
 import math
 import struct
 import threading
@@ -60,7 +60,7 @@ class Ft232h(usb_device.Device):
             return super().obey(order, *words)
         for number in range(int(words[0])):
             time.sleep(0.030 + number * 0.0071 % 0.016)
-            self.hear(b"%d\n" % time.monotonic_ns())
+            self.hear(b"%d %d\n" % (time.monotonic_ns(), self.timer_ms))
 
 
 usb_device.main(Ft232h())

@@ -138,6 +138,14 @@ def settings_told(share):
     return {"LD_PRELOAD": library, "DRYDOCK_LINE_SETTINGS": str(share)} if library else {}
 
 
+def first_in_line():
+    """A machine in software keeps real time beside busy neighbours only if it goes before them; a user who may not say so waits."""
+    try:
+        os.setpriority(os.PRIO_PROCESS, 0, -15)
+    except PermissionError:
+        pass
+
+
 def lines_of(share):
     """The null modems, at work."""
     modems = [NullModem(paced, [f"{share}/{name}" for name in names])
@@ -157,6 +165,7 @@ def tell(share):
 
 
 def run(options):
+    first_in_line()
     with tempfile.TemporaryDirectory(prefix="drydock-ports-") as folder:
         share = pathlib.Path(folder)
         modems = [] if options.virtual else lines_of(share)
