@@ -1,5 +1,7 @@
 #include "rig_config/nearest_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -43,6 +45,25 @@ std::string nearest_file(const std::string& path) {
   if (meant.empty() && bare_word && !asked.has_extension())
     return "; `drydock example` lists the files that come with the program";
   return meant;
+}
+
+std::string why_no_file(const std::string& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) return path + " is a folder, not a file";
+  const std::string why = "there is no file " + path;
+  const fs::path asked(path);
+  if (fs::exists(path + ".toml", error)) return why + nearest_file(path);
+  if (auto meant = did_you_mean(asked.filename().string(), names_beside(asked)); !meant.empty())
+    return why + meant;
+  std::vector<std::string> shipped;
+  add_shipped(shipped);
+  const std::string name = asked.stem().string();
+  const auto of_that_name = std::ranges::count(shipped, name);
+  if (of_that_name == 0) return why + did_you_mean(name, shipped);
+  if (of_that_name > 1) return why;  // `example` prints that of another kind
+  const std::string file = fs::path(path).replace_extension(".toml").string();
+  return fmt::format("{}; `drydock example {} > {}` writes the one that comes with the program",
+                     why, name, file);
 }
 
 }  // namespace drydock::rig_config

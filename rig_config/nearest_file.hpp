@@ -9,4 +9,8 @@ namespace drydock::rig_config {
 /// shipped files is. Else an empty text.
 std::string nearest_file(const std::string& path);
 
+/// Why the file that a rig or mission names cannot be it, and what to do: a folder, a misspelt
+/// name, or a shipped file, which has to be written beside it first. Precondition: it is no file.
+std::string why_no_file(const std::string& path);
+
 }  // namespace drydock::rig_config

@@ -96,9 +96,7 @@ class MissionChecks {
     if (file.text.empty()) return;
     const std::string full = beside(file_, file.text);
     if (std::filesystem::is_regular_file(full)) return;
-    add(file, path,
-        std::filesystem::is_directory(full) ? full + " is a folder, not a file"
-                                            : "there is no file " + full + nearest_file(full));
+    add(file, path, why_no_file(full));
   }
 
   void depths_rise(const Node& table, const char* key, const std::string& path) {

@@ -150,9 +150,7 @@ class RigChecks {
     if (!name || name->text.empty()) return;
     const std::string full = beside(file_, name->text);
     if (std::filesystem::is_regular_file(full)) return;
-    add(*name, path,
-        std::filesystem::is_directory(full) ? full + " is a folder, not a file"
-                                            : "there is no file " + full + nearest_file(full));
+    add(*name, path, why_no_file(full));
   }
 
   void estimators_devices_exist() {

@@ -70,6 +70,16 @@ void keep_what_descriptions_say(Problems& of_schema, const Node& root,
   });
 }
 
+/// A table of a mission in the rig file: the schema alone says that it is not known there.
+void tell_where_missions_stand(Problems& of_schema) {
+  constexpr std::string_view paths[] = {"/mission",  "/steering", "/ocean",     "/leg",
+                                        "/waypoint", "/guidance", "/ballistic", "/track"};
+  for (Problem& problem : of_schema)
+    if (std::ranges::find(paths, problem.path) != std::end(paths))
+      problem.what += fmt::format("; [{}] stands in the file that `mission` of [rig] names",
+                                  problem.path.substr(1));
+}
+
 void sort_by_position(Problems& problems) {
   std::ranges::stable_sort(problems, [](const Problem& a, const Problem& b) {
     return std::pair(a.line, a.column) < std::pair(b.line, b.column);
@@ -125,7 +135,10 @@ Loaded<Node> read_checked(std::string_view text, const std::string& path, FileKi
   described.reserve(descriptions.size());
   for (const auto& one : descriptions) described.push_back(one->facts);
   Problems problems = check_schema(*root, path, schema_of(kind), described);
-  if (kind == FileKind::rig) keep_what_descriptions_say(problems, *root, descriptions);
+  if (kind == FileKind::rig) {
+    keep_what_descriptions_say(problems, *root, descriptions);
+    tell_where_missions_stand(problems);
+  }
   append(problems, std::move(unusable));
   if (kind == FileKind::rig) {
     Problems of_rig = check_rig(*root, path, options);

@@ -5,6 +5,7 @@
 namespace drydock::rig_config::test {
 namespace problems_test {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -25,6 +26,16 @@ TEST(RigProblems, AnUnknownTableIsAnUnknownKey) {
   EXPECT_THAT(problems_of("[[devices]]\n"),
               ElementsAre("r.toml:8:3: /devices: unknown key (did you mean 'device'?), allowed "
                           "here: device, estimator, expect, fault, rig"));
+}
+
+TEST(RigProblems, ATableOfAMissionIsToldItsFile) {
+  for (const std::string table :
+       {"mission", "steering", "ocean", "leg", "waypoint", "guidance", "ballistic", "track"})
+    EXPECT_THAT(problems_of("[" + table + "]\nx = 1\n"),
+                ElementsAre(AllOf(HasSubstr("/" + table + ": unknown key"),
+                                  HasSubstr("[" + table +
+                                            "] stands in the file that `mission` of "
+                                            "[rig] names"))));
 }
 
 TEST(RigProblems, AMissingKeyIsReportedWhereItsTableBegins) {
