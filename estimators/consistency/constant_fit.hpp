@@ -17,11 +17,13 @@ class ConstantFit {
   ConstantFit(const Vector& prior_sigma, double floor, double memory)
       : prior_(prior_sigma.cwiseAbs2().cwiseInverse()), floor_(floor), memory_(memory) {}
 
-  void add(double y, const Vector& x) {
-    information_ = memory_ * information_ + x * x.transpose();
-    right_ = memory_ * right_ + y * x;
-    squares_ = memory_ * squares_ + y * y;
-    count_ = memory_ * count_ + 1;
+  /// `sigma`: of an error of this y that is not in the others.
+  void add(double y, const Vector& x, double sigma = 0) {
+    const double weight = floor_ * floor_ / (floor_ * floor_ + sigma * sigma);
+    information_ = memory_ * information_ + weight * x * x.transpose();
+    right_ = memory_ * right_ + weight * y * x;
+    squares_ = memory_ * squares_ + weight * y * y;
+    count_ = memory_ * count_ + weight;
   }
 
   struct Answer {

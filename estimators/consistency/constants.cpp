@@ -39,7 +39,7 @@ Constants::Constants(const Tracks& tracks) : tracks_(tracks) {
 }
 
 /// A window without gaps.
-void Constants::step(Dvl& dvl, const Moment& moment, std::optional<double> depth_m,
+void Constants::step(Dvl& dvl, const Moment& moment, const std::optional<Depth>& depth,
                      std::optional<double> speed_mps) {
   const auto& track = tracks_.dvls[dvl.track];
   const auto read = track.velocity.at(moment.at);
@@ -50,28 +50,35 @@ void Constants::step(Dvl& dvl, const Moment& moment, std::optional<double> depth
   }
   const Eigen::Vector3d down = moment.down ? *moment.down : own->value;
   const Eigen::Vector3d velocity = at_origin(read->value, track.sensor.lever_arm_m, moment);
+  const double down_mps = velocity.dot(down);
   if (!dvl.begun) {
     dvl.begun = moment.at;
     if (dvl.first == Stamp{}) dvl.first = moment.at;
-    dvl.sums = {.depth_m = depth_m.value_or(0), .deep = depth_m.has_value(), .fixed = true};
+    dvl.sums = {.begun_mps = down_mps,
+                .depth_m = depth.value_or(Depth{}).m,
+                .deep = depth.has_value(),
+                .fixed = true};
     return;
   }
   Sums& sums = dvl.sums;
-  sums.down_m += moment.dt * velocity.dot(down);
+  sums.down_m += moment.dt * down_mps;
+  sums.last_mps = down_mps;
   sums.terms_s += moment.dt * terms(velocity, down);
   sums.over_ground_m += moment.dt * levelled(velocity, moment).norm();
   sums.receiver_m += moment.dt * speed_mps.value_or(0);
   sums.fixed = sums.fixed && speed_mps;
-  sums.deep = sums.deep && depth_m;
+  sums.deep = sums.deep && depth;
   sums.last = moment.at;
-  if (moment.at - *dvl.begun >= window) end(dvl, depth_m.value_or(0));
+  if (moment.at - *dvl.begun >= window) end(dvl, depth.value_or(Depth{}));
 }
 
-void Constants::end(Dvl& dvl, double depth_m) {
+void Constants::end(Dvl& dvl, const Depth& depth) const {
   const Sums& sums = dvl.sums;
   const double seconds = measurement::seconds(sums.last - *dvl.begun);
   if (sums.deep) {
-    dvl.vertical.add((depth_m - sums.depth_m - sums.down_m) / seconds, sums.terms_s / seconds);
+    const double late_s = depth.half_interval_s + 0.5 / tracks_.dvls[dvl.track].sensor.rate_hz;
+    dvl.vertical.add((depth.m - sums.depth_m - sums.down_m) / seconds, sums.terms_s / seconds,
+                     late_s * std::hypot(sums.begun_mps, sums.last_mps) / seconds);
     const auto& fit = dvl.constant = dvl.vertical.solve();
     dvl.tilts_told = dvl.tilts_told ? std::abs(fit.value[2]) > least_tilt / 2
                                     : dvl.vertical.count() > fewest &&

@@ -19,14 +19,13 @@ class Constants {
 
   template <class Distrusted>
   void step(const Moment& moment, const Distrusted& distrusted) {
-    const auto depth_m = depth(moment, distrusted);
+    const auto depth = depth_of(moment, distrusted);
     const auto speed_mps = speed(moment, distrusted);
     for (Dvl& dvl : dvls_)
       if (distrusted(Devices{dvl.device}))
         dvl.begun = {};
       else
-        step(dvl, moment, depth_m ? depth_m : tracks_.dvls[dvl.track].living_depth(moment.at),
-             speed_mps);
+        step(dvl, moment, depth ? depth : own_depth(tracks_.dvls[dvl.track], moment.at), speed_mps);
   }
 
   /// What a DVL's velocity down lacks by these errors, as far as they are known now, m/s.
@@ -39,9 +38,14 @@ class Constants {
   void tell(Stamp now, diagnosis::SymptomSink& to, bool scales = true) const;
 
  private:
-  /// Sums of one window.
+  /// Half an interval between two samples may be missing.
+  struct Depth {
+    double m = 0, half_interval_s = 0;
+  };
+  /// Sums of one window. Where it begins or ends in a dive, depth and sum are not of one time.
   struct Sums {
     Stamp last{};
+    double begun_mps = 0, last_mps = 0;  ///< velocity down
     double down_m = 0, over_ground_m = 0, receiver_m = 0, depth_m = 0;
     Eigen::Vector3d terms_s = Eigen::Vector3d::Zero();
     bool deep = false, fixed = false;  ///< depth, GNSS velocity came all the time
@@ -61,12 +65,19 @@ class Constants {
 
   /// Of a pressure sensor. Without one, each head may tell its own.
   template <class Distrusted>
-  std::optional<double> depth(const Moment& moment, const Distrusted& distrusted) const {
+  std::optional<Depth> depth_of(const Moment& moment, const Distrusted& distrusted) const {
     for (const auto& depth : tracks_.depths)
       if (!distrusted(Devices{depth.device}))
         if (const auto read = depth.depth.at(moment.at))
-          return read->value.x() - (moment.down ? moment.down->dot(depth.sensor.lever_arm_m) : 0);
+          return Depth{
+              read->value.x() - (moment.down ? moment.down->dot(depth.sensor.lever_arm_m) : 0),
+              0.5 / depth.sensor.rate_hz};
     return {};
+  }
+  static std::optional<Depth> own_depth(const DvlTracks& dvl, Stamp at) {
+    const auto depth_m = dvl.living_depth(at);
+    if (!depth_m) return {};
+    return Depth{*depth_m, 0.5 / dvl.sensor.rate_hz};
   }
   /// Of the antenna, along the sea.
   template <class Distrusted>
@@ -76,9 +87,9 @@ class Constants {
         if (const auto read = receiver.velocity.at(moment.at)) return read->value.norm();
     return {};
   }
-  void step(Dvl& dvl, const Moment& moment, std::optional<double> depth_m,
+  void step(Dvl& dvl, const Moment& moment, const std::optional<Depth>& depth,
             std::optional<double> speed_mps);
-  static void end(Dvl& dvl, double depth_m);
+  void end(Dvl& dvl, const Depth& depth) const;
   /// A DVL that is pitched by p reads p u too little down; tilts that are used once too often or
   /// too seldom add or take the climb.
   static Eigen::Vector3d terms(const Eigen::Vector3d& velocity, const Eigen::Vector3d& down) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "drivers/measurement/units.hpp"
+
 namespace drydock::consistency {
 namespace {
 
@@ -20,6 +22,9 @@ constexpr TestFacts sum_facts{.floor = 0.08,
                               .unit = "m"};
 /// 1 sigma of roll and pitch that no device tells: a diving vehicle.
 constexpr double unknown_tilt_rad = 0.5;
+/// 1 sigma of the level's slow error. The way ahead has a part down by it, which adds up for as
+/// long as an offset takes to follow.
+constexpr double usual_tilt_rad = 0.1 * units::degree, follows_in_s = 10;
 
 }  // namespace
 
@@ -62,8 +67,10 @@ void Heights::see_dvls(const Moment& moment) {
       sums_[i].depth_m += moment.dt * (now_mps + sums_[i].last_mps) / 2;
     sums_[i].last = moment.at;
     sums_[i].last_mps = now_mps;
+    const double tilt_rad = std::hypot(usual_tilt_rad, moment.level_sigma_rad);
     group_.see(dvls_[i], sums_[i].depth_m, read->serial,
-               std::abs(now_mps) / (2 * dvl.sensor.rate_hz));
+               std::hypot(now_mps / (2 * dvl.sensor.rate_hz),
+                          follows_in_s * tilt_rad * velocity.cross(down).norm()));
   }
 }
 

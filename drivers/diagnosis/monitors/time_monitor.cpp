@@ -70,7 +70,6 @@ void TimeMonitor::note_first_time(const Raster& raster) {
 }
 
 void TimeMonitor::note_length(std::uint32_t kind, std::uint32_t length, Stamp at) {
-  if (expected_.protocol.clock != wire::DeviceClock::of_receiver) return;  // others have one length
   Stream* const stream = stream_of(kind);
   if (stream == nullptr) return;
   const bool changed = stream->length != 0 && stream->length != length;
@@ -145,7 +144,8 @@ void TimeMonitor::note_drift(const RateWatch& rate, Stamp at) {
 void TimeMonitor::watch_rate(Stream& stream, const measurement::Origin& origin,
                              const ClockWatch::News& news) {
   if (expected_.protocol.clock != wire::DeviceClock::yes || news.repeated) return;
-  if (news.backwards || stream.jumps > 0) stream.own_rate.interrupt();
+  if (news.backwards || stream.jumps > 0 || origin.received_at < moved_until_)
+    stream.own_rate.interrupt();
   stream.own_rate.add(origin.received_at, *origin.device_time);
   note_drift(stream.own_rate, origin.received_at);
   if (stream.own_rate.change_ppm()) stream.clock.follow();

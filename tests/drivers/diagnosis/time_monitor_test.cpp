@@ -234,7 +234,12 @@ TEST_F(WithAClock, DriftsAndDoesNotStepWhenThatHasAddedUp) {
 
 /// A receiver at 1 Hz with its own clock, whose line says more while it has a fix.
 struct ReceiverOnALine : testing::Test {
-  ReceiverOnALine() { for_seconds(60, 0.5, 1); }
+  explicit ReceiverOnALine(std::string_view protocol = "nmea0183")
+      : monitor({.kind = measurement::Kind::gnss,
+                 .protocol = *wire::find_protocol(protocol),
+                 .nominal_rate_hz = 1},
+                signs) {}
+  void SetUp() override { for_seconds(60, 0.5, 1); }
   void for_seconds(int seconds, double after_s, std::uint32_t length) {
     for (int i = 0; i < seconds; ++i) {
       now += 1;
@@ -247,12 +252,41 @@ struct ReceiverOnALine : testing::Test {
     }
   }
   Signs signs;
-  TimeMonitor monitor{{.kind = measurement::Kind::gnss,
-                       .protocol = *wire::find_protocol("nmea0183"),
-                       .nominal_rate_hz = 1},
-                      signs};
+  TimeMonitor monitor;
   double now = 0;
 };
+
+/// UBX NAV-SAT at 9600 baud: 12 bytes a satellite.
+struct UbxOnALine : ReceiverOnALine {
+  static constexpr double satellite_s = 12 * 10 / 9600.;
+  UbxOnALine() : ReceiverOnALine("ubx") {}
+  void SetUp() override {}
+  void for_satellites(int seconds, std::uint32_t satellites) {
+    for_seconds(seconds, 0.03 + satellites * satellite_s, 3 + satellites);
+  }
+};
+
+TEST_F(UbxOnALine, IsLaterWithEachSatelliteThatItFindsAndItsClockDoesNotDrift) {
+  for (std::uint32_t satellites = 0; satellites < 10; ++satellites) for_satellites(3, satellites);
+  for_satellites(300, 10);
+  EXPECT_TRUE(signs.all.empty());
+}
+
+TEST_F(UbxOnALine, IsSoonerUnderWaterAndThatIsNoSign) {
+  for_satellites(90, 10);
+  for (int dive = 0; dive < 50; ++dive) {
+    for_satellites(30, 0);
+    for_satellites(30, 10);
+  }
+  EXPECT_TRUE(signs.all.empty());
+}
+
+TEST_F(UbxOnALine, DriftsIfItsClockDoesAfterAllSatellitesAreFound) {
+  for_satellites(90, 10);
+  for (int i = 0; i < 60; ++i) for_seconds(1, 0.155 + 1e-3 * i, 13);
+  ASSERT_TRUE(signs.has(Sign::clock_drift));
+  EXPECT_NEAR(signs.all.back().value, -1000, 10);
+}
 
 TEST_F(ReceiverOnALine, IsSoonerWithoutItsFixAndThatIsNoSign) {
   for (int dive = 0; dive < 50; ++dive) {
