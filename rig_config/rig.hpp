@@ -70,8 +70,8 @@ struct UbloxConfig {
 /// How a DVL's speed of sound is put right.
 struct SoundSpeedConfig {
   std::string source = "as-sent", equation = "mackenzie";
-  double mps = 1500, salinity_ppt = 35;
-  std::optional<double> temperature_k, depth_m, set_mps;
+  double mps = 1500;
+  std::optional<double> salinity_ppt, temperature_k, depth_m, set_mps;
 };
 
 /// The settings of a CiA 404 pressure transmitter.

@@ -66,8 +66,8 @@ struct SoundSpeedOptions {
   Source source = Source::as_sent;
   double fixed_mps = 1500;
   measurement::SoundSpeedEquation equation = measurement::SoundSpeedEquation::mackenzie;
-  double salinity_ppt = 35;                      ///< computed
-  std::optional<double> temperature_k, depth_m;  ///< computed; empty: as the DVL tells them
+  /// Computed; empty: as the DVL tells them.
+  std::optional<double> salinity_ppt, temperature_k, depth_m;
   std::optional<double> set_mps;                 ///< that the DVL used; empty: as it tells it
 };
 

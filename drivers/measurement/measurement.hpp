@@ -55,7 +55,8 @@ struct BottomVelocity {
   std::array<std::optional<double>, 4> range_m;            ///< per beam, vertical component
   std::optional<double> heading_rad, pitch_rad, roll_rad;  ///< the DVL's own attitude sensors
   std::optional<double> sound_speed_mps;
-  std::optional<double> depth_m;  ///< of the head: its own sensor's or what it was told; not on DDS
+  /// Of the head: its own sensors' or what it was told; not on DDS.
+  std::optional<double> depth_m, water_temperature_k, salinity_ppt;
   /// (m/s)2, body: as the DVL says, else from the rig's sigma. Error velocity is no accuracy.
   std::optional<Eigen::Matrix3d> velocity_covariance;
   std::optional<double> figure_of_merit_mps;  ///< accuracy of the velocity, as the DVL states it

@@ -34,5 +34,7 @@ constexpr double sound_speed_mps(SoundSpeedEquation by, double t, double salinit
 }
 
 inline constexpr double melting_point_k = 273.15;
+/// Where nobody tells it: that of the ocean, and what most DVLs are set to.
+inline constexpr double usual_salinity_ppt = 35;
 
 }  // namespace drydock::measurement

@@ -84,6 +84,7 @@ std::optional<DeviceFigures> figures_of(const Samples& samples) {
     if (std::ranges::any_of(of.axes, [](const auto& axis) { return axis.has_value(); }))
       figures.quantities.push_back(std::move(of));
   }
+  figures.sound_speed = samples.sound_speed.means();
   if (!samples.utc_latency_s.empty()) {
     double sum = 0;
     for (const double latency : samples.utc_latency_s) sum += latency;

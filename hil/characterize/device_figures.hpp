@@ -43,6 +43,7 @@ struct DeviceFigures {
   std::vector<QuantityFigures> quantities;
   std::vector<AgainstReference> against;
   std::optional<double> utc_latency_s;  ///< GNSS: mean of arrival time minus stated time
+  std::optional<measurement::SoundSpeedUsed::Means> sound_speed;  ///< DVL that tells its water
 };
 
 /// Lost samples are ignored: the readings before and after a gap count as neighbours. Empty if

@@ -64,6 +64,7 @@ void Samples::add(const measurement::Measurement& any) {
   } else if (const auto* dvl = std::get_if<measurement::BottomVelocity>(&any)) {
     put(dvl->origin, dvl->velocity ? Vector3d(to_sensor * *dvl->velocity) : nothing, nothing);
     attitude.push_back(attitude_of(*dvl));
+    sound_speed.add(*dvl);
   } else if (const auto* log = std::get_if<measurement::WaterSpeed>(&any)) {
     put(log->origin,
         {log->longitudinal_mps.value_or(absent), log->transverse_mps.value_or(absent), absent},

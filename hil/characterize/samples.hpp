@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drivers/measurement/measurement.hpp"
+#include "drivers/measurement/sound_speed_used.hpp"
 #include "rig_config/rig.hpp"
 
 namespace drydock::characterize {
@@ -37,6 +38,7 @@ struct Samples {
       attitude;  ///< DVL: roll, pitch, heading of its head, rad; else empty
   /// GNSS: arrival by the host's clock minus the time that the fix states.
   std::vector<double> utc_latency_s;
+  measurement::SoundSpeedUsed sound_speed;  ///< DVL
 
  private:
   std::optional<measurement::Geodetic> first_position_;

@@ -37,6 +37,17 @@ std::map<std::uint16_t, Refused> refused_fixes(const Gathered& gathered,
   return by_device;
 }
 
+std::string wrong_speed_of_sound(const std::string& device,
+                                 const measurement::SoundSpeedUsed::Means& means) {
+  return fmt::format(
+      "{}: used {:.1f} m/s for the speed of sound, its water has {:.1f} ({:.1f} degC, {:.0f} ppt, "
+      "{:.0f} m): velocities are {:.2f} % too {}; `sound_speed = {{ source = \"computed\" }}` in "
+      "the rig file puts them right",
+      device, means.used_mps, means.of_water_mps,
+      means.temperature_k - measurement::melting_point_k, means.salinity_ppt, means.depth_m,
+      100 * std::abs(means.error()), means.error() > 0 ? "large" : "small");
+}
+
 }  // namespace
 
 std::vector<std::string> doubts_of(const Gathered& gathered, const smoothing::Track& track) {
@@ -47,6 +58,9 @@ std::vector<std::string> doubts_of(const Gathered& gathered, const smoothing::Tr
           "{}: {} of {} fixes refused, {} one after the other: either they are wrong, or the track "
           "is and errs more than it says; `drydock calibrate` finds wrong sensors",
           gathered.device_name(device), sum.refused, sum.fixes, sum.longest_run));
+  for (const auto& [device, water] : gathered.water)
+    if (const auto means = water.means(); means && std::abs(means->error()) > least_scale)
+      doubts.push_back(wrong_speed_of_sound(gathered.device_name(device), *means));
   if (std::abs(track.bottom_scale) > std::max(least_scale, surely * track.bottom_scale_sigma))
     doubts.push_back(fmt::format(
         "bottom track measures {:.2f} % too {} (1 sigma {:.2f} %), which the track allows for; "

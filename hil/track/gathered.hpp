@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/measurement/sound_speed_used.hpp"
 #include "drivers/measurement/stamp.hpp"
 #include "estimators/frame/geodetic.hpp"
 #include "estimators/smoothing/noise_fit.hpp"
@@ -31,7 +32,8 @@ struct Gathered {
   /// They are those of the DVL's own sensors.
   bool own_heading = false, own_tilts = false, own_depth = false;
   std::vector<TruthPoint> truth;
-  std::map<std::uint16_t, double> sound_speed_mps;   ///< that DVLs used, by device
+  std::map<std::uint16_t, double> sound_speed_mps;             ///< that DVLs used, by device
+  std::map<std::uint16_t, measurement::SoundSpeedUsed> water;  ///< that DVLs told, by device
   std::map<std::string, std::uint64_t> passed_over;  ///< values that no track can use, by reason
   std::vector<std::string> notes;                    ///< sentences for a person
 

@@ -90,6 +90,7 @@ void Gatherer::add(Quantity quantity, const measurement::Origin& origin, const V
 void Gatherer::hear(const measurement::BottomVelocity& track) {
   if (track.sound_speed_mps)
     gathered_.sound_speed_mps[track.origin.device] = *track.sound_speed_mps;
+  gathered_.water[track.origin.device].add(track);
   if (track.velocity && track.velocity->allFinite()) {
     add(Quantity::bottom, track.origin, *track.velocity, sigma_of(track.velocity_covariance),
         usual_bottom_mps);

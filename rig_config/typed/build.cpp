@@ -82,7 +82,7 @@ SoundSpeedConfig build_sound_speed(const Node& table) {
   read(table, "source", config.source);
   read(table, "equation", config.equation);
   read(table, "mps", config.mps);
-  read(table, "salinity_ppt", config.salinity_ppt);
+  config.salinity_ppt = read_if(table, "salinity_ppt");
   if (const auto celsius = read_if(table, "temperature_c"))
     config.temperature_k = *celsius + measurement::melting_point_k;
   config.depth_m = read_if(table, "depth_m");

@@ -31,7 +31,7 @@ void DvlDriver::on(const wire::Pd0Ensemble& ensemble, const Origin& origin, Outp
   result.pitch_rad = leader.pitch_rad;
   result.roll_rad = leader.roll_rad;
   result.sound_speed_mps = leader.sound_speed_mps;
-  finish_.publish(result, {leader.temperature_k, leader.depth_m}, out);
+  finish_.publish(result, {leader.temperature_k, leader.depth_m, leader.salinity_ppt}, out);
 }
 
 }  // namespace drydock::device

@@ -18,6 +18,8 @@ class DvlFinish {
     drop_impossible(sample, out);
     add_sigma_of_rig(sample, sigma_mps_);
     sample.depth_m = water.depth_m;
+    sample.water_temperature_k = water.temperature_k;
+    sample.salinity_ppt = water.salinity_ppt;
     out.publish(sample);
   }
 

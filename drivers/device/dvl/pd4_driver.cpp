@@ -11,7 +11,7 @@ wire::DvlAttitude attitude_of(const wire::Pd5Report& report) { return report; }
 
 WaterAtHead water_of(const wire::Pd4Report& report) { return {report.temperature_k, {}}; }
 WaterAtHead water_of(const wire::Pd5Report& report) {
-  return {report.temperature_k, report.depth_m};
+  return {report.temperature_k, report.depth_m, report.salinity_ppt};
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ void Pd6Driver::publish(Output& out) {
   result.pitch_rad = lines.attitude.pitch_rad;
   result.roll_rad = lines.attitude.roll_rad;
   result.sound_speed_mps = lines.timing.sound_speed_mps;
-  finish_.publish(result, {lines.timing.temperature_k, lines.timing.depth_m}, out);
+  finish_.publish(
+      result, {lines.timing.temperature_k, lines.timing.depth_m, lines.timing.salinity_ppt}, out);
 }
 
 }  // namespace drydock::device

@@ -37,9 +37,10 @@ std::optional<double> SoundSpeedCorrection::true_speed(const WaterAtHead& water)
   const auto temperature_k = options_.temperature_k ? options_.temperature_k : water.temperature_k;
   if (!temperature_k) return {};
   const double depth_m = options_.depth_m ? *options_.depth_m : water.depth_m.value_or(0);
-  return measurement::sound_speed_mps(options_.equation,
-                                      *temperature_k - measurement::melting_point_k,
-                                      options_.salinity_ppt, depth_m);
+  const auto salinity_ppt = options_.salinity_ppt ? options_.salinity_ppt : water.salinity_ppt;
+  return measurement::sound_speed_mps(
+      options_.equation, *temperature_k - measurement::melting_point_k,
+      salinity_ppt.value_or(measurement::usual_salinity_ppt), depth_m);
 }
 
 }  // namespace drydock::device

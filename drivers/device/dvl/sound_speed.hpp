@@ -10,7 +10,7 @@ namespace drydock::device {
 
 /// The water at the head, as the DVL tells it.
 struct WaterAtHead {
-  std::optional<double> temperature_k, depth_m;
+  std::optional<double> temperature_k, depth_m, salinity_ppt = {};
   std::optional<double> set_mps =
       {};  ///< speed of sound that it has, read back: the rig's is older
 };

@@ -66,6 +66,18 @@ ordered_json comparison_json(const characterize::AgainstReference& against) {
           {"blocks", c.blocks}};
 }
 
+ordered_json sound_speed_json(const measurement::SoundSpeedUsed::Means& means) {
+  return {
+      {"used_mps", means.used_mps},
+      {"of_water_mps", means.of_water_mps},
+      {"velocity_error", means.error()},
+      {"equation", measurement::sound_speed_equations[static_cast<std::size_t>(means.equation)]},
+      {"temperature_k", means.temperature_k},
+      {"salinity_ppt", means.salinity_ppt},
+      {"depth_m", means.depth_m},
+      {"samples", means.samples}};
+}
+
 /// Keys and units are those of a sensor file.
 ordered_json grade_json(const Characterized& device) {
   ordered_json json = ordered_json::object();
@@ -94,6 +106,8 @@ nlohmann::ordered_json json_of(const Characterized& device) {
     for (const auto& axis : quantity.axes) axes.push_back(axis ? axis_json(*axis) : nullptr);
     json[std::string(quantity.quantity.name)] = std::move(axes);
   }
+  if (const auto& sound = device.figures.sound_speed)
+    json["sound_speed"] = sound_speed_json(*sound);
   json["against"] = ordered_json::array();
   for (const auto& against : device.figures.against)
     json["against"].push_back(comparison_json(against));

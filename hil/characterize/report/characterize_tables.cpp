@@ -5,6 +5,7 @@
 
 #include "drivers/measurement/units.hpp"
 #include "hil/characterize/report/characterize.hpp"
+#include "hil/characterize/report/sound_speed_table.hpp"
 #include "rig_config/sensor_file.hpp"
 
 namespace drydock::characterize {
@@ -217,6 +218,8 @@ report::Figure allan_figure(const Characterized& device, const QuantityFigures& 
 std::vector<report::Table> tables_of(const Characterized& device) {
   std::vector<report::Table> tables{timing_table(device), grade_table(device)};
   for (const auto& of : device.figures.quantities) tables.push_back(process_table(device, of));
+  if (const auto& sound = device.figures.sound_speed)
+    tables.push_back(sound_speed_table(device.figures.subject.name, *sound));
   if (!device.figures.against.empty()) tables.push_back(reference_table(device));
   return tables;
 }

@@ -16,6 +16,7 @@ struct Bed {
   std::uint8_t transform = 0x10;  ///< ship axes, tilts not used
   int pitch_cdeg = 0, roll_cdeg = 0;
   bool faces_up = false;
+  int salinity_ppt = 35;
 };
 
 Octets ensemble(const Bed& bed) {
@@ -42,6 +43,7 @@ Octets ensemble(const Bed& bed) {
   put(out, variable + 18, 2, 9000);
   put(out, variable + 20, 2, bed.pitch_cdeg);
   put(out, variable + 22, 2, bed.roll_cdeg);
+  put(out, variable + 24, 2, bed.salinity_ppt);
   put(out, variable + 26, 2, 1000);  // 10 deg C
 
   put(out, track, 2, 0x0600);
@@ -182,10 +184,12 @@ TEST(DvlDriver, AWrongSpeedOfSoundIsPutRightInVelocitiesAndRanges) {
 TEST(DvlDriver, TheSpeedOfSoundIsComputedFromWhatTheDvlMeasures) {
   DriverOptions o = options(Kind::dvl, "pd0");
   o.dvl.sound_speed.source = SoundSpeedOptions::Source::computed;
-  o.dvl.sound_speed.salinity_ppt = 35;
   // Mackenzie's equation at 10 deg C, 35 ppt, 10 m by hand: 1448.96 + 45.91 - 5.304 + 0.2374 +
-  // 0.163 + 0.00002 = 1489.966 m/s.
+  // 0.163 + 0.00002 = 1489.966 m/s. At 31 ppt, 4 * 1.34 less and 4 * 0.1025 more.
   EXPECT_NEAR(heard({}, o).sound_speed_mps.value(), 1489.966, 1e-3);
+  EXPECT_NEAR(heard({.salinity_ppt = 31}, o).sound_speed_mps.value(), 1485.016, 1e-3);
+  o.dvl.sound_speed.salinity_ppt = 35;  // the rig knows better than the DVL
+  EXPECT_NEAR(heard({.salinity_ppt = 31}, o).sound_speed_mps.value(), 1489.966, 1e-3);
 }
 
 TEST(DvlDriver, WithoutATemperatureTheVelocityStaysAsSentAndThatIsSaid) {
