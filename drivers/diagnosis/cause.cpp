@@ -72,6 +72,7 @@ constexpr auto table = std::to_array<CauseFacts>({
     {Cause::wrong_rate, "wrong-rate", {}, "the rig expects another rate than the sensor gives", "`rate_hz` of the rig, or the sensor's setting"},
     {Cause::line_full, "line-full", {}, "the sensor would say more than its line carries, and so it says it more seldom", "raise the baud rate at both ends, or let the sensor say less"},
     {Cause::device_error, "device-error", {}, "the sensor reports an error of its own, or its node is lost", "look the error up in the sensor's manual; switch it off and on"},
+    {Cause::coarse, "coarse", {}, "its numbers come in coarser steps than they did", "look at the sensor's range and output format, and at a gateway that rounds"},
 });
 // clang-format on
 

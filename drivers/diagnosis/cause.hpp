@@ -43,7 +43,8 @@ enum class Cause : std::uint8_t {
   scale,
   wrong_rate,
   line_full,
-  device_error
+  device_error,
+  coarse
 };
 
 /// One row a cause.

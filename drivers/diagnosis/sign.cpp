@@ -46,7 +46,8 @@ std::string_view to_string(Sign sign) {
                                                           "signals changed",
                                                           "heat",
                                                           "reported errors",
-                                                          "text without a frame"});
+                                                          "text without a frame",
+                                                          "coarser steps"});
   static_assert(names.size() == sign_count);
   return names[static_cast<std::size_t>(sign)];
 }

@@ -55,11 +55,12 @@ enum class Sign : std::uint8_t {
   signals_changed,  ///< all satellites are weaker or stronger than they were
   heat,             ///< the device says that it is too hot
   error_report,     ///< the device says that something is wrong with it
-  prompts           ///< bytes come, all of them text, and none is part of a frame
+  prompts,          ///< bytes come, all of them text, and none is part of a frame
+  coarse            ///< the numbers come in coarser steps than before
 };
 
 /// How many there are. A set of signs fits one word of 64 bits.
-inline constexpr unsigned sign_count = static_cast<unsigned>(Sign::prompts) + 1;
+inline constexpr unsigned sign_count = static_cast<unsigned>(Sign::coarse) + 1;
 static_assert(sign_count <= 64);
 
 std::string_view to_string(Sign sign);

@@ -55,6 +55,7 @@ constexpr auto rules = std::to_array<Rule>({
     {Sign::values_missing, Cause::bottom_lost, 0.9},
     {Sign::signals_changed, Cause::antenna_gain, 0.8},
     {Sign::satellites_gone, Cause::satellites_blocked, 0.9},
+    {Sign::coarse, Cause::coarse, 0.9},
     {Sign::noisy, Cause::noise, 0.8},
     {Sign::wild_unequal, Cause::damaged, 0.7},
     {Sign::wild_samples, Cause::spike, 0.8},

@@ -101,7 +101,7 @@ double learning_s(Cause cause) {
     using Watch = diagnosis::RateWatch;
     return measurement::seconds(Watch::first_blocks * Watch::block);
   }
-  if (of(stuck, noise, spike, bottom_lost, satellites_blocked, antenna_gain))
+  if (of(stuck, noise, coarse, spike, bottom_lost, satellites_blocked, antenna_gain))
     return measurement::seconds(diagnosis::QuantityMonitor::learning);
   return 0;
 }

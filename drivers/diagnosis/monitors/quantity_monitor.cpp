@@ -35,9 +35,15 @@ QuantityMonitor::News QuantityMonitor::add(double value, Stamp at) {
   if (samples_ == 4 && took_s_[2] > 0)
     rate_ += (minus(last_[2], last_[3]) / took_s_[2] - rate_) / rate_memory;
   if (samples_ < 3) return {};
-  if (known_) return judge(period_s, at);
-  learn(minus(last_[0], last_[1]) - minus(last_[1], last_[2]), at, period_s);
-  return {};
+  const double bend = minus(last_[0], last_[1]) - minus(last_[1], last_[2]);
+  News news;
+  const auto coarse = resolution_.add(bend, at);
+  if (known_)
+    news = judge(period_s, at);
+  else
+    learn(bend, at, period_s);
+  news.coarse = coarse.value_or(0);
+  return news;
 }
 
 void QuantityMonitor::learn(double bend, Stamp at, double period_s) {

@@ -6,6 +6,7 @@
 
 #include "drivers/diagnosis/monitors/event_test.hpp"
 #include "drivers/diagnosis/monitors/quantity.hpp"
+#include "drivers/diagnosis/monitors/resolution.hpp"
 #include "drivers/diagnosis/monitors/spread.hpp"
 
 namespace drydock::diagnosis {
@@ -21,10 +22,11 @@ class QuantityMonitor {
 
   /// What a new sample showed about the one before it.
   struct News {
-    double wild = 0;   ///< this far off both neighbours, which agree; 0: it fits
-    double pulse = 0;  ///< the same beyond the noise only
-    double jump = 0;   ///< a step that no motion makes and that stayed; 0: none
-    double most = 0;   ///< the largest step that a motion makes in this time; 0: no jump
+    double wild = 0;    ///< this far off both neighbours, which agree; 0: it fits
+    double pulse = 0;   ///< the same beyond the noise only
+    double jump = 0;    ///< a step that no motion makes and that stayed; 0: none
+    double most = 0;    ///< the largest step that a motion makes in this time; 0: no jump
+    double coarse = 0;  ///< the step in which it comes now, coarser than it was; 0: as usual
     bool noisy = false;
   };
 
@@ -43,6 +45,7 @@ class QuantityMonitor {
   double usual_change() const;
   bool noise_shows() const { return noise_shows_; }  ///< sound samples go up and down
   const EventTest& noise() const { return noise_; }
+  const Resolution& resolution() const { return resolution_; }
 
  private:
   double minus(double a, double b) const;
@@ -68,6 +71,7 @@ class QuantityMonitor {
   Stamp last_at_{};
   unsigned samples_ = 0;  ///< of last_
   EventTest noise_{0.02, 0.5, noise_threshold};
+  Resolution resolution_;
   double trembling_ = 0;  ///< deviation of second differences that go to and fro
 };
 

@@ -88,6 +88,10 @@ void ValueMonitor::judge(const Reading& reading, Stamp at) {
   else if (news.pulse != 0 && pulses_.fired())
     tell_wild(*monitor, news.pulse, at);
   if (news.jump != 0) tell_jump(*monitor, news, at);
+  if (news.coarse != 0)
+    teller_.tell(Sign::coarse, monitor->resolution().since(), at,
+                 {news.coarse, monitor->resolution().step(), facts_of(reading.quantity).name,
+                  facts_of(reading.quantity).unit});
   if (news.noisy) returns_until_ = at + returns;
   if (news.noisy)
     teller_.tell(Sign::noisy, monitor->noise().since(), at,

@@ -128,6 +128,7 @@ TEST(Visibility, WhatAFaultFromTheStartHidesIsNamedHoweverLongTheRunIs) {
   const auto rig = rig_of({{Kind::dvl, "pd0"}, {Kind::emlog, "nmea0183"}});
   EXPECT_EQ(hidden(rig, "dvl", Cause::slow), "what is wrong in the first 30 s looks usual");
   EXPECT_EQ(hidden(rig, "dvl", Cause::noise), "what is wrong in the first 45 s looks usual");
+  EXPECT_EQ(hidden(rig, "dvl", Cause::coarse), "what is wrong in the first 45 s looks usual");
   EXPECT_EQ(hidden(rig, "dvl", Cause::bias), "what is wrong in the first 25 s looks usual");
   EXPECT_THAT(hidden(rig, "dvl", Cause::damaged), IsEmpty()) << "a checksum needs no learning";
   EXPECT_THAT(hidden(rig, "emlog", Cause::clock_step), IsEmpty()) << "it is unseen at any time";
