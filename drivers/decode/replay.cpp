@@ -11,6 +11,8 @@
 
 #include "drivers/capture/line_file.hpp"
 #include "drivers/decode/bus_choice.hpp"
+#include "drivers/decode/measurement_printer.hpp"
+#include "drivers/decode/replayed_device.hpp"
 #include "drivers/io/until_stopped.hpp"
 #include "drivers/link/can/frame_file.hpp"
 #include "drivers/shell/device_actor.hpp"
@@ -19,121 +21,12 @@
 #include "drivers/shell/recorded_line.hpp"
 #include "drivers/terminal/early_end.hpp"
 #include "drivers/terminal/exit_codes.hpp"
-#include "drivers/text/json_lines.hpp"
-#include "drivers/text/measurement_fields.hpp"
-#include "drivers/wire/described/description.hpp"
 
 namespace drydock::decode {
 namespace {
 
 using device::Device;
-using device::Kind;
 using measurement::Stamp;
-
-/// Prints the driver's measurements and states as lines. It discards data that the driver sends.
-class Printer final : public device::Listener, public device::Transmitter {
- public:
-  Printer(std::FILE* out, std::FILE* states) : lines_(out), states_(states) {}
-
-  void on_measurement(const measurement::Measurement& measurement) override {
-    ++measurements_;
-    std::visit(
-        [&](const auto& m) {
-          lines_.line([&](text::JsonWriter& json) {
-            json.field("type", type_of(m));
-            json.field("valid_at_s", measurement::seconds(m.origin.valid_at.time_since_epoch()));
-            json.field("received_at_s",
-                       measurement::seconds(m.origin.received_at.time_since_epoch()));
-            json.fields(m);
-          });
-        },
-        measurement);
-    if (live) lines_.flush();
-  }
-  void on_state(const Device& device, const device::Transition& change) override {
-    if (states_ != nullptr) {
-      fmt::print(states_, "{:.3f} s {}: {} -> {}: {}\n",
-                 measurement::seconds(change.at.time_since_epoch()), device.name(),
-                 to_string(change.from), to_string(change.to), change.why.view());
-    }
-    if (change.to == device::State::closed && on_closed) on_closed();
-  }
-  void send(wire::Bytes) override {}
-  void send(const wire::CanFrame&) override {}
-
-  bool flush() { return lines_.flush(); }
-  std::uint64_t measurements() const { return measurements_; }
-
-  bool live = false;
-  std::function<void()> on_closed;
-
- private:
-  text::JsonLines lines_;
-  std::FILE* states_;
-  std::uint64_t measurements_ = 0;
-};
-
-/// The kinds of sensor that speak the protocol.
-std::vector<Kind> kinds_with(const ReplayOptions& options) {
-  std::vector<Kind> kinds;
-  const wire::Protocol* known =
-      options.description ? &options.description->facts : wire::find_protocol(options.protocol);
-  for (const Kind kind : measurement::kinds)
-    if (known && known->kinds.has(kind)) kinds.push_back(kind);
-  return kinds;
-}
-
-}  // namespace
-
-Kind kind_of(const ReplayOptions& options) {
-  const auto kinds = kinds_with(options);
-  std::string names;
-  for (const Kind kind : kinds) {
-    if (to_string(kind) == options.kind || (options.kind.empty() && kinds.size() == 1)) return kind;
-    names.append(names.empty() ? "" : ", ").append(to_string(kind));
-  }
-  throw std::invalid_argument(kinds.empty()
-                                  ? fmt::format("no driver speaks \"{}\"; allowed: {}",
-                                                options.protocol, decode_protocols())
-                                  : fmt::format("--kind says which sensor speaks {}; allowed: {}",
-                                                options.protocol, names));
-}
-
-namespace {
-
-link::Uri uri_of(const ReplayOptions& options) {
-  std::string text = "file:" + options.capture + "?speed=" + options.speed;
-  if (options.baud > 0) text += fmt::format("&baud={}", options.baud);
-  if (options.bitrate > 0) text += fmt::format("&bitrate={}", options.bitrate);
-  if (options.data_bitrate > 0) text += fmt::format("&data_bitrate={}", options.data_bitrate);
-  if (!options.format.empty()) text += "&format=" + options.format;
-  if (!options.clock.empty()) text += "&clock=" + options.clock;
-  if (!options.interface.empty()) text += "&interface=" + options.interface;
-  return link::parse_uri(text).value();
-}
-
-std::unique_ptr<Device> make_device(const ReplayOptions& options, const link::Uri& uri) {
-  device::DeviceOptions wanted;
-  if (options.driver) wanted.driver = *options.driver;
-  wanted.driver.kind = kind_of(options);
-  wanted.driver.protocol = options.protocol;
-  wanted.driver.description = options.description;
-  wanted.driver.baud = uri.baud();
-  wanted.driver.byte_frame = uri.byte_frame();
-  if (options.bitrate > 0) wanted.driver.bitrate = options.bitrate;
-  if (options.data_bitrate > 0) wanted.driver.data_bitrate = options.data_bitrate;
-  wanted.driver.address = options.address;
-  wanted.name = to_string(wanted.driver.kind);
-  wanted.link = uri.text;
-  wanted.life_cycle.reopen_when_quiet = false;  // opening it again would restart the capture
-  wanted.life_cycle.quiet_but_up = " in the recording";
-  auto made = Device::make(std::move(wanted));
-  if (!made) throw std::invalid_argument(made.error().message);
-  const auto carries = (*made)->on_bus() ? link::Carries::frames : link::Carries::bytes;
-  const std::string misfit = link::recording_misfit(uri, carries);
-  if (!misfit.empty()) throw std::invalid_argument(misfit);
-  return std::move(*made);
-}
 
 void print_totals(std::FILE* err, const device::Health& health, const capture::Tally* tally) {
   fmt::print(err, "{} measurements, {} frames, {} bad checksums, {} bytes skipped\n",
@@ -198,7 +91,8 @@ device::HealthAccount play_in_virtual_time(const link::Uri& uri, std::unique_ptr
   return account;
 }
 
-void play_in_real_time(std::unique_ptr<Device> device, Printer& printer, std::FILE* totals) {
+void play_in_real_time(std::unique_ptr<Device> device, MeasurementPrinter& printer,
+                       std::FILE* totals) {
   boost::asio::io_context io{1};
   std::vector<std::unique_ptr<Device>> devices;
   devices.push_back(std::move(device));
@@ -232,7 +126,7 @@ class Hearer final : public device::Listener, public device::Transmitter {
 /// with one line.
 ReplayOptions on_its_bus(ReplayOptions options) {
   const link::Uri all = uri_of(options);
-  if (!make_device(options, all)->on_bus()) return options;
+  if (!replayed_device(options, all)->on_bus()) return options;
   const auto count = [&](const std::string& interface) {
     ReplayOptions of_one = options;
     of_one.interface = interface;
@@ -240,7 +134,7 @@ ReplayOptions on_its_bus(ReplayOptions options) {
     const MeasurementHook counting = [&](const auto&) { ++measurements; };
     Hearer hearer(counting);
     const auto uri = uri_of(of_one);
-    auto device = make_device(of_one, uri);
+    auto device = replayed_device(of_one, uri);
     const auto clock = readable_clock(uri, *device);
     play_in_virtual_time(uri, std::move(device), clock, hearer, hearer, nullptr);
     return measurements;
@@ -254,7 +148,7 @@ ReplayOptions on_its_bus(ReplayOptions options) {
 Played play(const ReplayOptions& options, const MeasurementHook& hook) {
   const auto wanted = on_its_bus(options);
   const link::Uri uri = uri_of(wanted);
-  auto device = make_device(wanted, uri);
+  auto device = replayed_device(wanted, uri);
   const auto kind = device->options().driver.kind;
   const auto clock = readable_clock(uri, *device);
   Hearer hearer(hook);
@@ -273,11 +167,11 @@ int refuse_replay(std::FILE* err, const std::string& why, int code) {
 int play_aloud(const ReplayOptions& options, std::FILE* out, std::FILE* totals) {
   const auto wanted = on_its_bus(options);
   const link::Uri uri = uri_of(wanted);
-  auto device = make_device(wanted, uri);
+  auto device = replayed_device(wanted, uri);
   if (totals != nullptr && wanted.interface != options.interface)
     fmt::print(totals, "bus {}: no other in the capture has measurements of the device\n",
                wanted.interface);
-  Printer printer(out, totals);
+  MeasurementPrinter printer(out, totals);
   if (uri.speed().value_or(0) > 0) {
     play_in_real_time(std::move(device), printer, totals);
   } else {
@@ -292,7 +186,7 @@ int play_aloud(const ReplayOptions& options, std::FILE* out, std::FILE* totals) 
 
 int replay(const ReplayOptions& options, std::FILE* out, std::FILE* err) {
   try {
-    make_device(options, uri_of(options));
+    replayed_device(options, uri_of(options));
   } catch (const std::exception& error) {
     return refuse_replay(err, error.what(), terminal::exit_usage);
   }

@@ -13,6 +13,7 @@
 
 #include "drivers/io/as_outcome.hpp"
 #include "drivers/live/foxglove/access.hpp"
+#include "drivers/live/page_answer.hpp"
 #include "drivers/live/viewer.hpp"
 
 namespace drydock::live {
@@ -25,30 +26,8 @@ namespace http = beast::http;
 using asio::ip::tcp;
 using io::as_outcome;
 
-using HttpRequest = http::request<http::string_body>;
-using HttpResponse = http::response<http::string_body>;
-
 constexpr std::chrono::milliseconds accept_pause{100};
 constexpr std::size_t most_clients = 64;
-
-std::string text_of(beast::string_view view) { return {view.data(), view.size()}; }
-
-HttpResponse answer(const HttpRequest& request, http::status status, std::string_view media_type,
-                    std::string_view content) {
-  HttpResponse response{status, request.version()};
-  response.set(http::field::content_type, {media_type.data(), media_type.size()});
-  response.set(http::field::cache_control, "no-store");
-  response.set("X-Content-Type-Options", "nosniff");
-  // No other page may show this one inside itself and let a visitor click on it unseen.
-  response.set("X-Frame-Options", "DENY");
-  response.set("Content-Security-Policy",
-               "default-src 'self'; connect-src 'self' ws: wss:; style-src 'self' 'unsafe-inline'; "
-               "frame-ancestors 'none'");
-  if (request.method() == http::verb::get) response.body() = content;
-  response.keep_alive(request.keep_alive());
-  response.prepare_payload();
-  return response;
-}
 
 }  // namespace
 
@@ -68,9 +47,7 @@ struct Server::House : std::enable_shared_from_this<House> {
                                                          beast::flat_buffer& buffer);
   bool make_room();
   asio::awaitable<void> show(beast::tcp_stream stream, HttpRequest request);
-  HttpResponse answer_to(const HttpRequest& request) const;
   std::optional<std::string> refusal_of(const HttpRequest& request);
-  bool is_part_of_page(const HttpRequest& request) const;
   void call(const ServiceCall& call, const std::shared_ptr<Viewer>& viewer) const;
   void remove(const std::shared_ptr<Viewer>& viewer);
 
@@ -139,7 +116,7 @@ asio::awaitable<void> Server::House::serve(tcp::socket socket) {
     }
     HttpResponse response =
         refused ? answer(*request, http::status::forbidden, "text/plain", *refused + "\n")
-                : answer_to(*request);
+                : answer_to(*request, page, history);
     more = response.keep_alive();
     const auto place = unserved.insert(unserved.end(), &stream);
     const auto [write_error, written] = co_await http::async_write(stream, response, as_outcome);
@@ -179,30 +156,10 @@ bool Server::House::make_room() {
 std::optional<std::string> Server::House::refusal_of(const HttpRequest& request) {
   const std::string target = text_of(request.target()), host = text_of(request[http::field::host]),
                     origin = text_of(request[http::field::origin]);
-  if (!options.token.empty() && is_part_of_page(request)) return {};
+  if (!options.token.empty() && is_part_of(page, request)) return {};
   auto refused = refusal({target, host, origin}, options.token);
   if (refused) ++past.refused;
   return refused;
-}
-
-/// A script or style. It contains no data of the run, and a browser requests it without the token.
-bool Server::House::is_part_of_page(const HttpRequest& request) const {
-  const std::string target = text_of(request.target());
-  const auto path = path_of(target);
-  return path != "/" && !beast::websocket::is_upgrade(request) &&
-         std::ranges::find(page, path, &PageFile::path) != page.end();
-}
-
-HttpResponse Server::House::answer_to(const HttpRequest& request) const {
-  if (request.method() != http::verb::get && request.method() != http::verb::head)
-    return answer(request, http::status::method_not_allowed, "text/plain", "GET only\n");
-  const std::string target = text_of(request.target());
-  const auto path = path_of(target);
-  if (path == "/history")
-    return answer(request, http::status::ok, "application/octet-stream", history.file());
-  const auto file = std::ranges::find(page, path, &PageFile::path);
-  return file == page.end() ? answer(request, http::status::not_found, "text/plain", "not here\n")
-                            : answer(request, http::status::ok, file->media_type, file->content);
 }
 
 asio::awaitable<void> Server::House::show(beast::tcp_stream stream, HttpRequest request) {

@@ -11,10 +11,13 @@
 
 #include "drivers/io/signal.hpp"
 #include "drivers/link/can/own_frames.hpp"
+#include "drivers/link/can/slcan_damage.hpp"
 #include "drivers/link/can/slcan_port.hpp"
+#include "drivers/link/can/slcan_rate.hpp"
 #include "drivers/link/can/slcan_trouble.hpp"
 #include "drivers/wire/can/slcan.hpp"
 #include "drivers/wire/can/slcan_report.hpp"
+#include "drivers/wire/text_bytes.hpp"
 
 namespace drydock::link {
 namespace {
@@ -39,18 +42,13 @@ constexpr auto first_silence = 2000ms, longest_silence = 30000ms, silence_of_ref
 /// The empty line ends whatever an earlier program, or a write of ours, left incomplete.
 constexpr std::string_view closing = "\rC\r";
 
-wire::Bytes bytes_of(std::string_view text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
 class SlcanLink final : public FrameLink {
  public:
   SlcanLink(const asio::any_io_executor& executor, std::unique_ptr<ByteLink> line,
             SlcanChannel channel)
       : line_(std::move(line)),
-        rate_(slcan::bit_rate_command(channel.bit_rate).value()),
+        rate_(channel),
         open_(channel.listens ? "L" : "O"),
-        searches_(channel.searches),
         patience_(executor),
         changed_(std::make_shared<io::Signal>(executor)),
         frames_(most_frames_per_read),
@@ -59,22 +57,19 @@ class SlcanLink final : public FrameLink {
   Task<ReceivedFrame> read() override;
   Task<void> write(const wire::CanFrame& frame) override;
   void close() override {
-    if (std::exchange(spoken_, false)) line_->say_last(bytes_of(closing));
+    if (std::exchange(spoken_, false)) line_->say_last(wire::bytes_of(closing));
     line_->close();
     changed_->notify();
   }
   Provenance provenance() const override { return line_->provenance(); }
   std::uint64_t dropped() const override { return dropped_; }
-  std::optional<unsigned> bit_rate() const override {
-    if (!searches_ || !found_) return {};
-    return slcan_search_order[tried_];
-  }
+  std::optional<unsigned> bit_rate() const override { return rate_.found(); }
   std::string_view note() const override {
-    if (!search_note_.empty() && damage_.empty()) return search_note_;
+    if (!rate_.note().empty() && damage_.note().empty()) return rate_.note();
     if (channel_ == Channel::open && silent_)
       return "the slcan adapter answers no command: whether its channel is open, only its frames "
              "show";
-    return damage_;
+    return damage_.note();
   }
 
  private:
@@ -87,8 +82,6 @@ class SlcanLink final : public FrameLink {
   /// One read, or what silence asks for.
   Task<void> take_or_open_again();
   Task<void> close_first();
-  void choose_rate();
-  void try_next_rate();
   Task<void> command(std::string_view text);
   /// Reads until there is an answer or the limit is over. With `frames_too` a frame ends it as
   /// well.
@@ -97,15 +90,12 @@ class SlcanLink final : public FrameLink {
   void take_in(wire::Bytes bytes, Stamp at);
   void hear(Answer answer);
   void hear(const slcan::Command& said);
-  void note_damage();
   void keep(const wire::CanFrame& frame, Stamp at);
 
   std::unique_ptr<ByteLink> line_;
-  std::string_view rate_, open_;           ///< the commands of this channel: S5, L
-  bool searches_ = false, found_ = false;  ///< the rate; a frame has come at one
-  bool at_our_rate_ = false;               ///< frames from now on are those of the present channel
-  std::size_t tried_ = 0;                  ///< the place of the rate in the search order
-  std::string search_note_;
+  SlcanRate rate_;
+  std::string_view open_;     ///< the command that opens this channel: O, L
+  bool at_our_rate_ = false;  ///< frames from now on are those of the present channel
   asio::steady_timer patience_;
   std::optional<Answer> answer_;  ///< the first one since it was emptied
   bool silent_ = true;            ///< no answer so far
@@ -120,10 +110,9 @@ class SlcanLink final : public FrameLink {
   std::array<std::uint8_t, read_size> buffer_{};
   boost::circular_buffer<ReceivedFrame> frames_;
   std::uint64_t dropped_ = 0;
-  bool echoes_ = false;               ///< the adapter repeats what it is told
-  OwnFrames written_;                 ///< whose echoes may still come
-  std::uint64_t damaged_before_ = 0;  ///< lines, when the channel was opened
-  std::string damage_;                ///< of the lines since then, in words
+  bool echoes_ = false;  ///< the adapter repeats what it is told
+  OwnFrames written_;    ///< whose echoes may still come
+  SlcanDamage damage_;
 };
 
 /// A read and a write may both be first: one opens the channel and the other waits, so that their
@@ -143,29 +132,16 @@ Task<void> SlcanLink::opened() {
 Task<void> SlcanLink::open_channel() {
   at_our_rate_ = false;
   if (const auto closed = co_await close_first(); !closed) co_return closed;
-  if (searches_) choose_rate();
-  auto done = co_await command(rate_);
+  rate_.choose();
+  auto done = co_await command(rate_.command());
   for (std::size_t others = slcan_search_order.size() - 1;
-       searches_ && !found_ && !done && is_refused_rate(done.error()) && others > 0; --others) {
-    try_next_rate();
-    done = co_await command(rate_);
+       rate_.is_sought() && !done && is_refused_rate(done.error()) && others > 0; --others) {
+    rate_.try_next();
+    done = co_await command(rate_.command());
   }
   if (!done) co_return done;
   at_our_rate_ = true;
   co_return co_await command(open_);
-}
-
-void SlcanLink::choose_rate() {
-  const unsigned rate = slcan_search_order[tried_];
-  rate_ = slcan::bit_rate_command(rate).value();
-  search_note_ = found_ ? std::to_string(rate) + " bit/s, found by listening"
-                        : "no frame yet: listens at each bit rate for 2 s, now at " +
-                              std::to_string(rate) + " bit/s (bitrate=... states it)";
-}
-
-void SlcanLink::try_next_rate() {
-  tried_ = (tried_ + 1) % slcan_search_order.size();
-  choose_rate();
 }
 
 /// A channel that is closed refuses C, and an adapter may answer the empty line or not: all that
@@ -174,7 +150,8 @@ Task<void> SlcanLink::close_first() {
   spoken_ = true;
   silent_ = true;
   answer_.reset();
-  if (const auto written = co_await line_->write(bytes_of(closing)); !written) co_return written;
+  if (const auto written = co_await line_->write(wire::bytes_of(closing)); !written)
+    co_return written;
   if (const auto heard = co_await hear_for(first_answer_patience); !heard) co_return heard;
   while (answer_) {
     answer_.reset();
@@ -189,7 +166,7 @@ Task<void> SlcanLink::close_first() {
 Task<void> SlcanLink::command(std::string_view text) {
   answer_.reset();
   const std::string line = std::string(text) + "\r";
-  if (const auto written = co_await line_->write(bytes_of(line)); !written) co_return written;
+  if (const auto written = co_await line_->write(wire::bytes_of(line)); !written) co_return written;
   const auto limit = silent_ ? first_answer_patience : answer_patience;
   if (const auto heard = co_await hear_for(limit, true); !heard) co_return heard;
   if (answer_ == Answer::refused) co_return slcan_refused(text);
@@ -234,8 +211,8 @@ Task<void> SlcanLink::take_or_open_again() {
     heard_at_ = std::chrono::steady_clock::now();
     co_return boost::system::result<void>{};
   }
-  if (searches_ && !found_)
-    try_next_rate();
+  if (rate_.is_sought())
+    rate_.try_next();
   else
     silence_ = std::min<std::chrono::steady_clock::duration>(2 * silence_, longest_silence);
   channel_ = Channel::closed;
@@ -253,24 +230,13 @@ void SlcanLink::take_in(wire::Bytes bytes, Stamp at) {
     }
     if (const auto* reply = std::get_if<slcan::Reply>(&*message)) hear(reply->answer);
   });
-  note_damage();
+  damage_.count(framer_.counters().bad_checksums, channel_ == Channel::open);
 }
 
 /// Only an echo has the form of our own commands. Then our frames come back as well, and must not
 /// be taken for those of another node.
 void SlcanLink::hear(const slcan::Command& said) {
-  if (said.text == "C" || said.text == rate_ || said.text == open_) echoes_ = true;
-}
-
-/// Lines are damaged where the serial line loses bytes, or where the channel was found open amid
-/// one.
-void SlcanLink::note_damage() {
-  const std::uint64_t lines = framer_.counters().bad_checksums;
-  if (channel_ != Channel::open) damaged_before_ = lines;
-  if (lines == damaged_before_) return;
-  damage_ = std::to_string(lines - damaged_before_) +
-            " damaged lines of the slcan adapter were left out: its serial line loses bytes (try "
-            "flow control or a higher baud)";
+  if (said.text == "C" || said.text == rate_.command() || said.text == open_) echoes_ = true;
 }
 
 void SlcanLink::hear(Answer answer) {
@@ -283,10 +249,9 @@ void SlcanLink::hear(Answer answer) {
 
 void SlcanLink::keep(const wire::CanFrame& frame, Stamp at) {
   if (echoes_ && written_.take_echo(frame)) return;
-  if (searches_ && !found_) {
+  if (rate_.is_sought()) {
     if (frame.error || !at_our_rate_) return;  // a wrong rate gives nothing but error frames
-    found_ = true;
-    choose_rate();
+    rate_.is_that_of_the_bus();
   }
   heard_at_ = std::chrono::steady_clock::now();
   silence_ = first_silence;

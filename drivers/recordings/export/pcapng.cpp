@@ -2,6 +2,7 @@
 
 #include "drivers/recordings/export/exporter.hpp"
 #include "drivers/recordings/export/output_file.hpp"
+#include "drivers/wire/text_bytes.hpp"
 
 namespace drydock::exporting {
 
@@ -30,10 +31,6 @@ void put_option(Block& block, std::uint16_t code, wire::Bytes value) {
   put_le(block, static_cast<std::uint16_t>(value.size()));
   put(block, value);
   pad(block);
-}
-
-wire::Bytes bytes_of(std::string_view text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
 /// LINKTYPE_CAN_SOCKETCAN: identifier with flags (big endian), length, CAN FD flags, two zeros,
@@ -72,7 +69,7 @@ class Pcapng final : public Exporter {
       put_le<std::uint32_t>(body, 0x1A2B3C4D);
       put_le<std::uint32_t>(body, 1);  // version 1.0
       put_le<std::int64_t>(body, -1);  // length unknown
-      put_option(body, 4, bytes_of("drydock"));
+      put_option(body, 4, wire::bytes_of("drydock"));
       put_option(body, 0, {});
     });
     for (const auto& link : links) write_interface(link);
@@ -115,8 +112,8 @@ class Pcapng final : public Exporter {
       put_le(body, link.frames ? can_socketcan : rtac_serial);
       put_le<std::uint16_t>(body, 0);
       put_le<std::uint32_t>(body, 0);  // no packet is shortened
-      put_option(body, name, bytes_of(link.name));
-      put_option(body, description, bytes_of(link.uri));
+      put_option(body, name, wire::bytes_of(link.name));
+      put_option(body, description, wire::bytes_of(link.uri));
       put_option(body, time_resolution, nanoseconds);
       put_option(body, 0, {});
     });

@@ -7,6 +7,7 @@
 #include "drivers/wire/can/data_length.hpp"
 #include "drivers/wire/can/slcan_report.hpp"
 #include "drivers/wire/hex.hpp"
+#include "drivers/wire/text_fields.hpp"
 
 namespace drydock::wire {
 
@@ -23,10 +24,6 @@ constexpr std::string_view frame_letters = "tTrRdDbB";
 constexpr std::string_view letters_outside_hex = "tTrR";
 constexpr std::array<std::uint32_t, 9> bit_rates{10000,  20000,  50000,  100000, 125000,
                                                  250000, 500000, 800000, 1000000};
-
-std::string_view as_text(Bytes bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 /// What a frame's letter says.
 CanFrame frame_of(char letter) {

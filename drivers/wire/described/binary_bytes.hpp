@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/wire/described/plan.hpp"
+#include "drivers/wire/text_bytes.hpp"
 
 /// How the bytes of a binary message are read and written.
 namespace drydock::wire::described {
@@ -34,10 +35,6 @@ inline std::uint64_t load(const Field& field, Bytes bytes) {
 inline void store(const Field& field, std::uint64_t value, std::span<std::uint8_t> out) {
   store(out, field.at, field.size, field.big_endian,
         field.low_word_first ? words_turned(value, field.size) : value);
-}
-
-inline Bytes bytes_of(std::string_view text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
 constexpr std::uint64_t mask_of(unsigned bits) {

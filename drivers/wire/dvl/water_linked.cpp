@@ -7,6 +7,7 @@
 #include "drivers/wire/crc.hpp"
 #include "drivers/wire/hex.hpp"
 #include "drivers/wire/line_end.hpp"
+#include "drivers/wire/text_bytes.hpp"
 #include "drivers/wire/text_fields.hpp"
 
 namespace drydock::wire {
@@ -77,8 +78,7 @@ Scan WaterLinked::scan(Bytes bytes) {
 namespace water_linked {
 
 std::uint8_t crc8(std::string_view text) {
-  return static_cast<std::uint8_t>(
-      checksum(Bytes{reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
+  return static_cast<std::uint8_t>(checksum(bytes_of(text)));
 }
 
 }  // namespace water_linked

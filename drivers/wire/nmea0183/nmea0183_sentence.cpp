@@ -7,15 +7,10 @@
 
 #include "drivers/wire/fields.hpp"
 #include "drivers/wire/plain_number.hpp"
+#include "drivers/wire/text_bytes.hpp"
 
 namespace drydock::wire {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
 
 /// Any number in decimal digits, without an exponent.
 std::optional<double> decimal(std::string_view text) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "drivers/wire/text_bytes.hpp"
 #include "drivers/wire/text_fields.hpp"
 
 namespace drydock::emulate {
@@ -29,7 +30,7 @@ void acknowledge(int command, int flag, Wire& out) {
   unsigned check = 0;
   for (const char c : text) check ^= static_cast<unsigned char>(c);
   const std::string line = fmt::format("${}*{:02X}\r\n", text, check);
-  out.send(wire::Bytes{reinterpret_cast<const std::uint8_t*>(line.data()), line.size()});
+  out.send(wire::bytes_of(line));
 }
 
 }  // namespace

@@ -64,4 +64,16 @@ inline Outcome read_capture(std::string_view text) {
   return read_capture(wire::testing::as_bytes(text));
 }
 
+/// The only record of a sound capture.
+inline Seen only(const std::string& text) {
+  const Outcome outcome = read_capture(text);
+  EXPECT_EQ(outcome.records.size(), 1u) << text;
+  EXPECT_EQ(outcome.damaged, 0u) << text;
+  return outcome.records.empty() ? Seen{} : outcome.records.front();
+}
+
+inline std::vector<int> data_of(const Seen& seen) {
+  return {seen.frame.data.begin(), seen.frame.data.begin() + seen.frame.size};
+}
+
 }  // namespace drydock::capture::testing

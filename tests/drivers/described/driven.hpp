@@ -22,6 +22,10 @@ struct Heard : device::Output {
   const Sample& last() const {
     return std::get<Sample>(all.back());
   }
+  template <class Sample>
+  const Sample& at(std::size_t i) const {
+    return std::get<Sample>(all.at(i));
+  }
 
   std::vector<measurement::Measurement> all;
   std::vector<std::string> sent, reports, refusals;

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "drivers/wire/described/crc_line.hpp"
-#include "tests/drivers/described/support.hpp"
+#include "tests/drivers/described/decoded.hpp"
 
 /// Numbers as some sensors write them: two's complement in hexadecimal digits, signs that are
 /// always there, commas before decimals, seven bits a byte; and checksums of no catalogue.
@@ -13,16 +13,8 @@ namespace forms_of_numbers_test {
 
 using namespace wire::testing;
 using ::testing::HasSubstr;
-using wire::Scan;
 using wire::described::Decoded;
 using wire::described::Record;
-
-Record decoded(const DescriptionPtr& description, const Buffer& frame) {
-  Record record;
-  EXPECT_EQ(wire::described::scan(description->plan, frame), Scan::frame(frame.size()));
-  EXPECT_EQ(wire::described::decode(description->plan, frame, record), Decoded::message);
-  return record;
-}
 
 std::string with_protocol(const std::string& keys, const std::string& messages) {
   return "[sensor]\ntitle = \"toy\"\n[protocol]\n" + keys + messages;

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "tests/drivers/described/support.hpp"
+#include "tests/drivers/described/decoded.hpp"
 
 /// Values that a message says in several fields.
 namespace drydock::described::test {
@@ -10,9 +10,7 @@ namespace parts_test {
 
 using namespace wire::testing;
 using ::testing::HasSubstr;
-using wire::described::Decoded;
 using wire::described::Readings;
-using wire::described::Record;
 using wire::described::Target;
 
 constexpr double degree = std::numbers::pi / 180;
@@ -35,12 +33,6 @@ fields = [
   { sign_of = "longitude_deg", plus = "E", minus = "W" },
 ]
 )";
-
-Record decoded(const DescriptionPtr& description, const Buffer& frame) {
-  Record record;
-  EXPECT_EQ(wire::described::decode(description->plan, frame, record), Decoded::message);
-  return record;
-}
 
 Buffer sentence(const std::string& body) {
   unsigned sum = 0;

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "drivers/wire/described/line_pattern.hpp"
-#include "tests/drivers/described/support.hpp"
+#include "tests/drivers/described/decoded.hpp"
 #include "tests/drivers/device/allocation_count.hpp"
 #include "tests/drivers/property.hpp"
 
@@ -36,17 +36,9 @@ fields = [
 ]
 )";
 
-Record read_line(const DescriptionPtr& description, std::string_view line) {
-  Record record;
-  const Buffer frame = as_bytes(line);
-  EXPECT_EQ(wire::described::scan(description->plan, frame), wire::Scan::frame(frame.size()));
-  EXPECT_EQ(wire::described::decode(description->plan, frame, record), Decoded::message) << line;
-  return record;
-}
-
 TEST(LinePatterns, ALineGivesTheValuesOfItsGroups) {
   const auto toy = described(sounder);
-  const auto all = read_line(toy, "Ping #12: 3.25 m@-1.5C,ok/12.1V\r\n");
+  const auto all = decoded(toy, "Ping #12: 3.25 m@-1.5C,ok/12.1V\r\n");
   EXPECT_DOUBLE_EQ(value_of(all, "count"), 12);
   EXPECT_DOUBLE_EQ(value_of(all, "depth_m"), 3.25);
   EXPECT_DOUBLE_EQ(value_of(all, "temperature_k"), 271.65);
@@ -55,7 +47,7 @@ TEST(LinePatterns, ALineGivesTheValuesOfItsGroups) {
 
 TEST(LinePatterns, AGroupThatTookNoPartHasNoValue) {
   const auto toy = described(sounder);
-  const auto few = read_line(toy, "Ping #13: -0.10ft\n");
+  const auto few = decoded(toy, "Ping #13: -0.10ft\n");
   EXPECT_DOUBLE_EQ(value_of(few, "depth_m"), -0.1);
   EXPECT_TRUE(std::isnan(value_of(few, "temperature_k")));
   EXPECT_TRUE(std::isnan(value_of(few, "battery_v")));
@@ -91,10 +83,10 @@ TEST(LinePatterns, TheDescriptionOfThePageReadsTheLinesOfThePage) {
   const auto page =
       rig_config::load_description(DRYDOCK_SOURCE_DIR "/fixtures/described/pattern.toml");
   ASSERT_TRUE(page);
-  const auto first = read_line(*page, "Ping #12: 3.25 m@-1.5C\r\n");
+  const auto first = decoded(*page, "Ping #12: 3.25 m@-1.5C\r\n");
   EXPECT_DOUBLE_EQ(value_of(first, "depth_m"), 3.25);
   EXPECT_DOUBLE_EQ(value_of(first, "temperature_k"), 271.65);
-  EXPECT_DOUBLE_EQ(value_of(read_line(*page, "Ping #13: 4M\r\n"), "depth_m"), 4);
+  EXPECT_DOUBLE_EQ(value_of(decoded(*page, "Ping #13: 4M\r\n"), "depth_m"), 4);
 }
 
 TEST(LinePatterns, WithoutALineToWriteNothingIsEmulated) {

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "tests/drivers/described/driven.hpp"
+#include "tests/drivers/described/heard_of.hpp"
 #include "tests/drivers/device/allocation_count.hpp"
 
 /// Packets that are made of records, each with its identifier and length: MIP and MTData2.
@@ -17,56 +17,43 @@ constexpr double degree = emulate::degree;
 
 constexpr double g = 9.80665;
 
-/// What a driver says of fixtures/described; NOTE.md there tells where the packets are from.
-Heard heard_of(const std::string& description, const std::string& golden) {
-  Heard heard;
-  driver_of(shipped(description))
-      ->receive(wire::testing::fixture("described/" + golden), measurement::Stamp{}, heard);
-  return heard;
-}
-
-template <class Sample>
-const Sample& sample(const Heard& heard, std::size_t i) {
-  return std::get<Sample>(heard.all.at(i));
-}
-
 Buffer packet(const std::string& golden, std::size_t from, std::size_t size) {
   const Buffer all = wire::testing::fixture("described/" + golden);
   return {all.begin() + static_cast<long>(from), all.begin() + static_cast<long>(from + size)};
 }
 
 TEST(Records, OfMipAreForcesRatesAndTheTime) {
-  const auto heard = heard_of("mip-imu.toml", "mip.bin");
+  const auto heard = heard_of_fixture("mip-imu.toml", "mip.bin");
   ASSERT_EQ(heard.all.size(), 2u);
-  const auto& imu = sample<ImuSample>(heard, 0);
+  const auto& imu = heard.at<ImuSample>(0);
   const Eigen::Vector3d force(0.19661863, -0.00250356, -0.97900563);  // read with another program
   const Eigen::Vector3d rate(-0.00607933, -0.00248420, 0.00218142);
   EXPECT_LT((imu.specific_force - g * force).norm(), 1e-7);
   EXPECT_LT((imu.angular_rate - rate).norm(), 1e-8);
   EXPECT_EQ(imu.origin.device_time, std::chrono::milliseconds{112'417});
-  const auto& other_order = sample<ImuSample>(heard, 1);
+  const auto& other_order = heard.at<ImuSample>(1);
   EXPECT_EQ(other_order.specific_force, imu.specific_force);
   EXPECT_EQ(other_order.angular_rate, imu.angular_rate);
   EXPECT_FALSE(other_order.origin.device_time);
 }
 
 TEST(Records, OfMipAreTheAnglesOfTheFilterIfItSaysThatTheyHold) {
-  const auto heard = heard_of("mip-attitude.toml", "mip-filter.bin");
+  const auto heard = heard_of_fixture("mip-attitude.toml", "mip-filter.bin");
   ASSERT_EQ(heard.all.size(), 2u);
-  const auto& attitude = sample<AttitudeSample>(heard, 0);
+  const auto& attitude = heard.at<AttitudeSample>(0);
   EXPECT_NEAR(attitude.roll_rad.value(), 0.1, 1e-7);
   EXPECT_NEAR(attitude.pitch_rad.value(), -0.2, 1e-7);
   EXPECT_NEAR(attitude.true_heading_rad.value(), 2 * std::numbers::pi - 1.5, 1e-6);
-  EXPECT_FALSE(sample<AttitudeSample>(heard, 1).roll_rad);
+  EXPECT_FALSE(heard.at<AttitudeSample>(1).roll_rad);
 }
 
 /// MT Manager's figures, y and z turned to starboard and down. The unit lay level: its force is up.
 TEST(Records, OfMtdata2AreForcesAndRatesInTheAxesOfAVehicle) {
-  const auto heard = heard_of("xsens-mtdata2.toml", "mtdata2.bin");
+  const auto heard = heard_of_fixture("xsens-mtdata2.toml", "mtdata2.bin");
   ASSERT_EQ(heard.all.size(), 1u) << "the other two measure no forces, and are no damaged ones";
   EXPECT_TRUE(heard.refusals.empty());
   EXPECT_TRUE(heard.reports.empty());
-  const auto& imu = sample<ImuSample>(heard, 0);
+  const auto& imu = heard.at<ImuSample>(0);
   const Eigen::Vector3d force(-0.07915300, 0.16655955, -9.82217598);
   const Eigen::Vector3d rate(-0.00541657, 0.00458360, -0.00792891);
   EXPECT_LT((imu.specific_force - force).norm(), 1e-8);
@@ -77,19 +64,18 @@ TEST(Records, OfMtdata2AreForcesAndRatesInTheAxesOfAVehicle) {
 /// The angles of the quaternions' matrices, computed apart. The first unit lay level and looked
 /// nearly east; the nose of the third pointed nearly up.
 TEST(Records, OfMtdata2AreAnAttitude) {
-  const auto heard = heard_of("xsens-mtdata2-attitude.toml", "mtdata2.bin");
+  const auto heard = heard_of_fixture("xsens-mtdata2-attitude.toml", "mtdata2.bin");
   ASSERT_EQ(heard.all.size(), 3u);
   const double expected[3][3] = {{-1.04079, -0.50043, 97.13721},
                                  {-37.73065, 0.61913, 96.68462},
                                  {-156.89839, 88.80799, 202.94229}};
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto& attitude = sample<AttitudeSample>(heard, i);
+    const auto& attitude = heard.at<AttitudeSample>(i);
     EXPECT_NEAR(attitude.roll_rad.value() / degree, expected[i][0], 1e-4);
     EXPECT_NEAR(attitude.pitch_rad.value() / degree, expected[i][1], 1e-4);
     EXPECT_NEAR(attitude.true_heading_rad.value() / degree, expected[i][2], 1e-4);
   }
-  EXPECT_EQ(sample<AttitudeSample>(heard, 2).origin.device_time,
-            std::chrono::microseconds{71'892'400});
+  EXPECT_EQ(heard.at<AttitudeSample>(2).origin.device_time, std::chrono::microseconds{71'892'400});
 }
 
 TEST(Records, ThatNobodyDescribedAreNamed) {

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "drivers/wire/text_fields.hpp"
-#include "tests/drivers/described/support.hpp"
+#include "tests/drivers/described/decoded.hpp"
 
 /// Positions as NMEA 0183 writes them: degrees and minutes, and the hemisphere in a field of its
 /// own.
@@ -10,12 +10,10 @@ namespace signs_apart_test {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-using wire::described::Decoded;
 using wire::described::Readings;
 using wire::described::Record;
 using wire::described::Target;
 using wire::testing::as_bytes;
-using wire::testing::Buffer;
 
 constexpr const char* geographic = R"(
 [sensor]
@@ -31,13 +29,6 @@ fields = [
   { sign_of = "longitude_deg", plus = "E", minus = "W" },
 ]
 )";
-
-Record decoded(const DescriptionPtr& description, const Buffer& line) {
-  Record record;
-  EXPECT_EQ(wire::described::scan(description->plan, line), wire::Scan::frame(line.size()));
-  EXPECT_EQ(wire::described::decode(description->plan, line, record), Decoded::message);
-  return record;
-}
 
 /// The example of the standard, as many pages show it: 49 degrees 16.45 minutes north, 123 degrees
 /// 11.12 minutes west.

@@ -20,6 +20,18 @@ survey::ByteFinding best_of(std::string_view line, const ByteSurvey::Description
   return survey.best();
 }
 
+TEST(DescribedSurvey, ADescriptionIsFoundOnTheWireThatItDescribes) {
+  const auto vat = shipped("valeport-vat.toml");
+  ByteSurvey survey({vat, shipped("keller.toml")});
+  const auto stream = wire::testing::fixture("described/valeport-vat.txt");
+  for (int i = 0; i < 10; ++i) survey.feed(stream, measurement::stamp_from_ns(i * 1'000'000'000LL));
+  const auto best = survey.best();
+  EXPECT_EQ(best.protocol, "valeport-vat.toml");
+  EXPECT_EQ(best.confidence, Confidence::certain);
+  ASSERT_EQ(best.sensors.size(), 1u);
+  EXPECT_EQ(best.sensors[0].kind, measurement::Kind::depth);
+}
+
 TEST(DescribedSurvey, ADescriptionOfTheProgramIsFoundWithoutBeingNamed) {
   const ByteSurvey::Descriptions known{shipped("nmea-depth.toml"), shipped("valeport-vat.toml")};
   const auto found = best_of("$PRVAT,00.115,M,0010.073,dBar*39\r\n", {}, known);

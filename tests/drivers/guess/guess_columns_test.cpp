@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "drivers/guess/guess.hpp"
-#include "tests/drivers/described/support.hpp"
+#include "tests/drivers/guess/guessed.hpp"
 
 /// First descriptions of texts whose columns are told by their place, or by the word behind the id.
 namespace drydock::described::test {
@@ -11,23 +10,6 @@ namespace guess_columns_test {
 using namespace wire::testing;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using wire::described::Decoded;
-using wire::described::Record;
-
-std::string lines_of(int count, auto&& line) {
-  std::string text;
-  for (int i = 0; i < count; ++i) text += line(i) + "\r\n";
-  return text;
-}
-
-/// What a description reads from one line. NaN: nothing.
-double read(const std::string& guess, const std::string& line, const std::string& key) {
-  const auto description = described(guess);
-  Record record;
-  const auto decoded = wire::described::decode(description->plan, as_bytes(line + "\r\n"), record);
-  EXPECT_EQ(decoded, Decoded::message) << guess;
-  return decoded == Decoded::message ? value_of(record, key) : std::nan("");
-}
 
 /// As a compass and dead reckoning unit writes heading, pitch, roll, temperature and depth.
 TEST(GuessedColumns, ASignBehindTheLetterBehindANumberBelongsToTheNext) {

@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "drivers/guess/guess.hpp"
-#include "tests/drivers/described/support.hpp"
+#include "tests/drivers/guess/guessed.hpp"
 
 /// First descriptions of lines without a checksum, in forms that laboratories and sensors have.
 namespace drydock::described::test {
@@ -13,12 +12,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using wire::described::Decoded;
 using wire::described::Record;
-
-std::string lines_of(int count, auto&& line) {
-  std::string text;
-  for (int i = 0; i < count; ++i) text += line(i) + "\r\n";
-  return text;
-}
 
 TEST(GuessedNumbers, WithDecimalCommasAreOneColumnEach) {
   const auto guess = guess::guess_description(as_bytes(lines_of(

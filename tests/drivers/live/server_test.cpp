@@ -9,16 +9,15 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/read.hpp>
-#include <boost/asio/read_until.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/websocket.hpp>
 #include <cstdlib>
-#include <list>
 #include <thread>
 
+#include "tests/drivers/live/beside_clients.hpp"
 #include "tests/npm/node.hpp"
 #include "tests/test_name.hpp"
 
@@ -143,44 +142,6 @@ TEST_F(LiveServer, AViewerThatDoesNotReadLosesMessagesAndHoldsUpNobody) {
   io_.run();
 }
 
-/// Requests of one letter as a browser sends them: RFC 6455, masked with a key of zeros.
-std::string requests(int count) {
-  constexpr std::string_view one("\x81\x81\0\0\0\0x", 7);
-  std::string all;
-  for (int i = 0; i < count; ++i) all += one;
-  return all;
-}
-
-/// A client that sends requests and reads no answer. Returns how its connection ended.
-boost::system::error_code ask_and_take_nothing(std::uint16_t port) {
-  asio::io_context own;
-  boost::beast::websocket::stream<asio::ip::tcp::socket> socket(own);
-  boost::system::error_code error;
-  socket.next_layer().connect({asio::ip::address_v4::loopback(), port}, error);
-  socket.handshake("127.0.0.1", "/", error);
-  // The server answers each with a line; the sockets' buffers hold some thousands of lines. Many
-  // requests go in one write: after many small ones the kernel drops segments and stalls.
-  const std::string many = requests(20'000);
-  for (int i = 0; i < 100 && !error; ++i)
-    asio::write(socket.next_layer(), asio::buffer(many), error);
-  return error;
-}
-
-TEST(LiveServerQueue, AViewerThatAsksAndTakesNoAnswerIsDisconnected) {
-  asio::io_context io{1};
-  Server server(io.get_executor(), {.port = 0});
-  ASSERT_FALSE(server.listen());
-  boost::system::error_code ended;
-  std::jthread client([&, port = server.port()] {
-    ended = ask_and_take_nothing(port);
-    asio::post(io, [&] { server.stop(); });
-  });
-  io.run();
-  client.join();
-  EXPECT_TRUE(ended == asio::error::connection_reset || ended == asio::error::broken_pipe) << ended;
-  EXPECT_EQ(server.counters().viewers, 0U);
-}
-
 TEST_F(LiveServer, GivesItsPageAndNothingElse) {
   ASSERT_FALSE(server_.listen());
   const auto page = get("GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
@@ -203,51 +164,6 @@ TEST_F(LiveServer, AFileThatIsNotThereIsNotFound) {
   EXPECT_TRUE(page.starts_with("HTTP/1.1 404")) << page;
 }
 
-/// A server whose clients have 300 ms for a request. It runs beside the clients of the test.
-class BesideClients : public testing::Test {
- protected:
-  using Tcp = asio::ip::tcp;
-
-  BesideClients() {
-    EXPECT_FALSE(server_.listen());
-    port_ = server_.port();
-    thread_ = std::jthread([this] { io_.run(); });
-  }
-  ~BesideClients() override {
-    asio::post(io_, [this] { server_.stop(); });
-    clients_.clear();
-    thread_.join();
-  }
-  Tcp::socket& connect() {
-    clients_.emplace_back(own_);
-    clients_.back().connect({asio::ip::address_v4::loopback(), port_});
-    return clients_.back();
-  }
-  /// Everything that the server sends until it closes the connection.
-  static std::string rest_of(Tcp::socket& socket) {
-    std::string answer;
-    boost::system::error_code end;
-    asio::read(socket, asio::dynamic_buffer(answer), end);
-    return answer;
-  }
-  std::string get(const std::string& request) {
-    auto& socket = connect();
-    boost::system::error_code gone;
-    asio::write(socket, asio::buffer(request), gone);
-    return rest_of(socket);
-  }
-
-  asio::io_context io_{1}, own_;
-  Server server_{io_.get_executor(),
-                 {.port = 0, .patience = std::chrono::milliseconds{300}},
-                 {{"/", "text/html", "<title>Drydock</title>"}}};
-  std::uint16_t port_ = 0;
-  std::list<Tcp::socket> clients_;
-  std::jthread thread_;
-};
-
-const std::string to_end = " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n";
-
 TEST_F(BesideClients, NoPageMayShowWhatItAnswersInsideItself) {
   for (const std::string& request :
        {"GET /" + to_end, "HEAD /" + to_end, "POST /" + to_end, "GET /nowhere" + to_end,
@@ -256,128 +172,6 @@ TEST_F(BesideClients, NoPageMayShowWhatItAnswersInsideItself) {
     EXPECT_NE(answer.find("X-Frame-Options: DENY\r\n"), std::string::npos) << answer;
     EXPECT_NE(answer.find("frame-ancestors 'none'"), std::string::npos) << answer;
   }
-}
-
-/// Each of 200 clients begins a request and says no more; the server serves 64 at once.
-TEST_F(BesideClients, ManyThatNeverFinishARequestKeepNobodyOut) {
-  for (int i = 0; i < 200; ++i) asio::write(connect(), asio::buffer("GET / HT", 8));
-  const auto page = get("GET /" + to_end);
-  EXPECT_NE(page.find("<title>Drydock</title>"), std::string::npos) << page;
-  EXPECT_EQ(rest_of(clients_.front()), "") << "the oldest gave way";
-}
-
-/// Each of 100 clients asks for a page of 1 MB and takes none of it.
-TEST(LiveServerClients, ManyThatTakeNoAnswerKeepNobodyOut) {
-  using Tcp = asio::ip::tcp;
-  asio::io_context io{1}, own;
-  const std::string large(1u << 20, 'x');
-  Server server(io.get_executor(), {.port = 0},
-                {{"/", "text/html", "<title>Drydock</title>"}, {"/large", "text/plain", large}});
-  ASSERT_FALSE(server.listen());
-  std::jthread serving([&] { io.run(); });
-  std::list<Tcp::socket> clients;
-  const auto ask = [&](const std::string& what) -> Tcp::socket& {
-    auto& socket = clients.emplace_back(own);
-    socket.open(Tcp::v4());
-    socket.set_option(asio::socket_base::receive_buffer_size(4096));
-    socket.connect({asio::ip::address_v4::loopback(), server.port()});
-    boost::system::error_code gone;
-    asio::write(socket, asio::buffer(what + to_end), gone);
-    return socket;
-  };
-  for (int i = 0; i < 100; ++i) ask("GET /large");
-  std::string page;
-  boost::system::error_code end;
-  asio::read(ask("GET /"), asio::dynamic_buffer(page), end);
-  EXPECT_NE(page.find("<title>Drydock</title>"), std::string::npos) << page;
-  asio::post(io, [&] { server.stop(); });
-  clients.clear();
-}
-
-/// 64 viewers, as many as are let in, answer no ping: they have gone, though their sockets stand.
-TEST(LiveServerClients, ViewersThatHaveGoneGiveTheirPlaces) {
-  using Tcp = asio::ip::tcp;
-  asio::io_context io{1}, own;
-  Server server(io.get_executor(), {.port = 0, .silence = std::chrono::milliseconds{200}},
-                {{"/", "text/html", "<title>Drydock</title>"}});
-  ASSERT_FALSE(server.listen());
-  std::jthread serving([&] { io.run(); });
-  std::list<Tcp::socket> clients;
-  const auto ask = [&](const std::string& what) -> Tcp::socket& {
-    auto& socket = clients.emplace_back(own);
-    socket.connect({asio::ip::address_v4::loopback(), server.port()});
-    boost::system::error_code gone;
-    asio::write(socket, asio::buffer(what + to_end), gone);
-    return socket;
-  };
-  const std::string upgrade =
-      "GET / HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-      "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n";
-  for (int i = 0; i < 64; ++i) {
-    auto& socket = clients.emplace_back(own);
-    socket.connect({asio::ip::address_v4::loopback(), server.port()});
-    asio::write(socket, asio::buffer(upgrade));
-    std::string answer;
-    asio::read_until(socket, asio::dynamic_buffer(answer), "\r\n\r\n");
-    ASSERT_TRUE(answer.starts_with("HTTP/1.1 101")) << answer;
-  }
-  std::string page;
-  const auto begin = std::chrono::steady_clock::now();
-  while (page.empty() && std::chrono::steady_clock::now() - begin < std::chrono::seconds{10}) {
-    boost::system::error_code end;
-    asio::read(ask("GET /"), asio::dynamic_buffer(page), end);
-  }
-  EXPECT_NE(page.find("<title>Drydock</title>"), std::string::npos) << page;
-  asio::post(io, [&] { server.stop(); });
-  clients.clear();
-}
-
-/// 100 viewers connect and never say or read anything more; a viewer that has asked for something
-/// keeps its place.
-TEST_F(BesideClients, ViewersThatNeverReadGiveWayToNewerOnes) {
-  const std::string upgrade =
-      "GET / HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-      "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n";
-  const auto view = [&]() -> Tcp::socket& {
-    auto& socket = connect();
-    asio::write(socket, asio::buffer(upgrade));
-    std::string answer;
-    boost::system::error_code gone;
-    asio::read_until(socket, asio::dynamic_buffer(answer), "\r\n\r\n", gone);
-    EXPECT_TRUE(answer.starts_with("HTTP/1.1 101")) << answer << gone;
-    return socket;
-  };
-  const auto is_answered = [](Tcp::socket& viewer) {
-    asio::write(viewer, asio::buffer(requests(1)));
-    std::string said;
-    boost::system::error_code gone;
-    asio::read_until(viewer, asio::dynamic_buffer(said), "\"level\"", gone);
-    return !gone;
-  };
-  Tcp::socket& asking = view();
-  ASSERT_TRUE(is_answered(asking));
-  for (int i = 0; i < 100; ++i) view();
-  const auto page = get("GET /" + to_end);
-  EXPECT_NE(page.find("<title>Drydock</title>"), std::string::npos) << page;
-  EXPECT_TRUE(is_answered(asking));
-}
-
-/// 16 bytes, one each 100 ms: each comes within the time, the request does not.
-TEST_F(BesideClients, AByteNowAndThenProlongsNoRequest) {
-  auto& socket = connect();
-  boost::system::error_code gone;
-  int sent = 0;
-  for (; sent < 16 && !gone; ++sent) {
-    asio::write(socket, asio::buffer(&"GET / HTTP/1.1\r\n"[sent], 1), gone);
-    std::this_thread::sleep_for(std::chrono::milliseconds{100});
-    if (socket.available(gone) == 0 && !gone) {
-      char none = 0;
-      socket.non_blocking(true);
-      socket.receive(asio::buffer(&none, 1), asio::socket_base::message_peek, gone);
-      if (gone == asio::error::would_block) gone.clear();
-    }
-  }
-  EXPECT_LT(sent, 16);
 }
 
 TEST(LiveServerAddress, BeyondThisHostNeedsAToken) {
