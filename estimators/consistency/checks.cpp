@@ -12,6 +12,8 @@ constexpr std::chrono::seconds stale{3};
 constexpr std::chrono::seconds longest_pause{5};
 
 constexpr double longest_period_s = 2.5;
+/// One fault makes several tests rise within so long.
+constexpr std::chrono::seconds together{2};
 
 /// The slowest sensor that votes must have sent the sample after the tested time.
 std::chrono::nanoseconds lag_of(const std::vector<Sensor>& sensors) {
@@ -54,7 +56,7 @@ Checks::Checks(const std::vector<Sensor>& sensors, diagnosis::SymptomSink& to)
     : to_(to),
       tracks_(tracks_of(sensors)),
       place_(places_of(sensors)),
-      doubted_(sensors.size()),
+      doubts_(sensors),
       lag_(lag_of(sensors)),
       constants_(tracks_),
       speeds_(tracks_),
@@ -92,17 +94,59 @@ void Checks::push(const measurement::Measurement& measurement) {
 }
 
 bool Checks::trusted(const Devices& devices) const {
-  return std::ranges::none_of(devices, [&](std::uint16_t device) { return doubted_[device]; });
+  return std::ranges::none_of(devices, [&](std::uint16_t device) { return doubts_.has(device); });
 }
 
-/// The named ones, and units that repeat one sample: nothing here needs to fire before a rate that
-/// stands still is no longer believed.
+/// The named ones, those whose own samples show it, and units that repeat one sample: nothing here
+/// needs to fire before a rate that stands still is no longer believed.
 void Checks::doubt(Stamp at) {
-  std::fill(doubted_.begin(), doubted_.end(), false);
-  for (const Named& one : names_) doubted_[one.device] = true;
+  doubts_.begin(at);
+  if (const auto dvl = speeds_.dvl_off()) doubts_.note_guilty(*dvl);
   for (const InertialUnit& unit : tracks_.units)
     if (const auto still = unit.freeze().since(); still && *still < at)
-      doubted_[unit.device()] = true;
+      doubts_.add(unit.device(), *still);
+  doubt_named();
+  acquit_others(at);
+  restart_sums();
+}
+
+/// Those of devices that are sound again.
+void Checks::restart_sums() {
+  for (std::uint16_t device = 0; device < place_.size(); ++device) {
+    if (!doubts_.is_over(device)) continue;
+    headings_.restart_sums(device);
+    heights_.restart_sums(device);
+  }
+}
+
+/// A device that has stopped is wrong since then.
+void Checks::doubt_named() {
+  for (const Named& one : names_) {
+    const Test& test = *one.by->test;
+    const bool stuck = test.sign(one.by->freeze) == diagnosis::Sign::stuck;
+    doubts_.add(one.device, stuck ? *one.by->freeze->since() : test.since());
+  }
+}
+
+/// DVLs and inertial units tell how the vehicle moves, and so they are in all residuals. What the
+/// others seemed to do since such a one is wrong counts no more; what they really do shows again.
+bool Checks::acquit_others(Stamp at) {
+  const auto news = doubts_.news();
+  if (!news) return false;
+  const Stamp since = *news - together;
+  speeds_.acquit(since, doubts_);
+  headings_.acquit(since, doubts_);
+  heights_.acquit(since, doubts_);
+  levels_.acquit(since, doubts_);
+  for (const DvlTracks& dvl : tracks_.dvls)
+    if (const auto wrong_since = doubts_.news(dvl.device)) speeds_.forget_dvl(*wrong_since, at);
+  return true;
+}
+
+void Checks::name(Stamp at) {
+  names_ = parity_.name(accusations_, doubts_, at);
+  doubt_named();
+  if (acquit_others(at)) names_ = parity_.name(accusations_, doubts_, at);
 }
 
 void Checks::step(Stamp at) {
@@ -120,7 +164,7 @@ void Checks::step(Stamp at) {
   places_.step(moment);
   steering_.step(moment, speeds_.group().value(), speeds_.through_water(moment));
   accuse(moment);
-  names_ = parity_.name(accusations_, at);
+  name(at);
   last_ = at;
 }
 
@@ -133,6 +177,7 @@ Moment Checks::moment_at(Stamp at) {
     moment.down = unit.down();
     moment.level_from.push_back(unit.device());
   }
+  moment.rate_lost = !tracks_.units.empty() && !moment.rate;
   moment.heading = headings_.group().value().value_or(0);
   moment.heading_known = headings_.group().value().has_value();
   for (const DvlTracks& dvl : tracks_.dvls) {

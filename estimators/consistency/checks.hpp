@@ -3,6 +3,7 @@
 #include "drivers/diagnosis/symptom.hpp"
 #include "estimators/consistency/attitudes.hpp"
 #include "estimators/consistency/constants.hpp"
+#include "estimators/consistency/doubts.hpp"
 #include "estimators/consistency/headings.hpp"
 #include "estimators/consistency/heights.hpp"
 #include "estimators/consistency/immersion.hpp"
@@ -22,12 +23,17 @@ class Checks {
   Checks& operator=(const Checks&) = delete;
 
   void take(const measurement::Measurement& measurement);
+  void doubt(std::uint16_t device, Stamp since, Stamp now) { doubts_.note_own(device, since, now); }
   void tell(Stamp now) const;
 
  private:
   void push(const measurement::Measurement& measurement);
   void step(Stamp at);
   void doubt(Stamp at);
+  void doubt_named();
+  bool acquit_others(Stamp at);
+  void restart_sums();
+  void name(Stamp at);
   Moment moment_at(Stamp at);
   std::optional<Eigen::Vector3d> acceleration(const Moment& moment);
   std::optional<Eigen::Vector3d> velocity(const Moment& moment) const;
@@ -41,7 +47,7 @@ class Checks {
   diagnosis::SymptomSink& to_;
   Tracks tracks_;
   std::vector<std::uint16_t> place_;  ///< of a device in the tracks of its kind
-  std::vector<bool> doubted_;         ///< devices whose values are no reference now
+  Doubts doubts_;
   std::chrono::nanoseconds lag_;
   Constants constants_;
   Speeds speeds_;

@@ -9,6 +9,9 @@ Consistency::Consistency(const std::vector<Sensor>& sensors, diagnosis::SymptomS
 Consistency::~Consistency() = default;
 
 void Consistency::take(const measurement::Measurement& measurement) { checks_->take(measurement); }
+void Consistency::doubt(std::uint16_t device, diagnosis::Stamp since, diagnosis::Stamp now) {
+  checks_->doubt(device, since, now);
+}
 void Consistency::tell(diagnosis::Stamp now) const { checks_->tell(now); }
 
 }  // namespace drydock::consistency

@@ -22,6 +22,10 @@ class Consistency {
 
   void take(const measurement::Measurement& measurement);
 
+  /// The device's own samples show that its values are wrong since then; repeat it while it lasts.
+  /// It is no reference for the others.
+  void doubt(std::uint16_t device, diagnosis::Stamp since, diagnosis::Stamp now);
+
   /// Repeats the signs that last. Call it about as often as the judge settles.
   void tell(diagnosis::Stamp now) const;
 

@@ -76,9 +76,8 @@ void Constants::end(Dvl& dvl, const Depth& depth) const {
   const Sums& sums = dvl.sums;
   const double seconds = measurement::seconds(sums.last - *dvl.begun);
   if (sums.deep) {
-    const double late_s = depth.half_interval_s + 0.5 / tracks_.dvls[dvl.track].sensor.rate_hz;
     dvl.vertical.add((depth.m - sums.depth_m - sums.down_m) / seconds, sums.terms_s / seconds,
-                     late_s * std::hypot(sums.begun_mps, sums.last_mps) / seconds);
+                     depth.late_s * std::hypot(sums.begun_mps, sums.last_mps) / seconds);
     const auto& fit = dvl.constant = dvl.vertical.solve();
     dvl.tilts_told = dvl.tilts_told ? std::abs(fit.value[2]) > least_tilt / 2
                                     : dvl.vertical.count() > fewest &&

@@ -38,9 +38,9 @@ class Constants {
   void tell(Stamp now, diagnosis::SymptomSink& to, bool scales = true) const;
 
  private:
-  /// Half an interval between two samples may be missing.
+  /// `late_s`: 1 sigma of the unknown latency of a sensor against the DVL.
   struct Depth {
-    double m = 0, half_interval_s = 0;
+    double m = 0, late_s = 0;
   };
   /// Sums of one window. Where it begins or ends in a dive, depth and sum are not of one time.
   struct Sums {
@@ -63,6 +63,8 @@ class Constants {
     ConstantFit<1>::Answer factor{};    ///< of `scale`
   };
 
+  static constexpr double unknown_latency_s = 0.14;  ///< 0.1 s of each of the two
+
   /// Of a pressure sensor. Without one, each head may tell its own.
   template <class Distrusted>
   std::optional<Depth> depth_of(const Moment& moment, const Distrusted& distrusted) const {
@@ -71,13 +73,13 @@ class Constants {
         if (const auto read = depth.depth.at(moment.at))
           return Depth{
               read->value.x() - (moment.down ? moment.down->dot(depth.sensor.lever_arm_m) : 0),
-              0.5 / depth.sensor.rate_hz};
+              unknown_latency_s};
     return {};
   }
   static std::optional<Depth> own_depth(const DvlTracks& dvl, Stamp at) {
     const auto depth_m = dvl.living_depth(at);
     if (!depth_m) return {};
-    return Depth{*depth_m, 0.5 / dvl.sensor.rate_hz};
+    return Depth{*depth_m};
   }
   /// Of the antenna, along the sea.
   template <class Distrusted>

@@ -13,8 +13,12 @@ using measurement::Stamp;
 /// last changed far more than usual.
 class Freeze {
  public:
-  /// `change`: the absolute change from the sample before.
+  /// `change`: the absolute change from the sample before; of the first one it means nothing.
   void see(Stamp at, double change) {
+    if (before_ == Stamp{}) {
+      before_ = at;
+      return;
+    }
     if (change == 0) {
       if (++equal_ == 1) since_ = before_;
     } else {

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "estimators/consistency/devices.hpp"
+#include "estimators/consistency/doubts.hpp"
 #include "estimators/consistency/test.hpp"
 
 namespace drydock::consistency {
@@ -57,6 +58,19 @@ class Group {
   /// The same of all.
   void restart() {
     for (Witness& witness : witnesses_) witness.test.restart();
+  }
+
+  /// Test::acquit for the witnesses that are of no doubtful device that tells motion.
+  void acquit(Stamp since, const Doubts& doubts) {
+    for (Witness& witness : witnesses_)
+      if (!doubts.tells_motion(witness.devices)) witness.test.acquit(since);
+  }
+
+  /// The sums of the device begin anew: what went into them was wrong.
+  void restart_sums(std::uint16_t device) {
+    for (Witness& witness : witnesses_)
+      if (contains(witness.devices, device) && witness.test.facts().sum_above <= 0)
+        witness.test.restart();
   }
 
   /// Tests all that was seen. `distrusted(devices)`: they do not count for the median.

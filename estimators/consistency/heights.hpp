@@ -18,6 +18,11 @@ class Heights {
     group_.settle(moment.at, moment.dt, distrusted);
   }
 
+  /// Test::acquit for all tests that are of no doubtful device that tells motion.
+  void acquit(Stamp since, const Doubts& doubts) { group_.acquit(since, doubts); }
+
+  void restart_sums(std::uint16_t device) { group_.restart_sums(device); }
+
   const Group& group() const { return group_; }
 
  private:

@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "estimators/consistency/doubts.hpp"
 #include "estimators/consistency/moment.hpp"
 #include "estimators/consistency/test.hpp"
 
@@ -26,6 +27,13 @@ class Levels {
     Eigen::Vector2d in_level = Eigen::Vector2d::Zero();
   };
   std::span<const Unit> units() const { return units_; }
+
+  /// Test::acquit for all tests that are of no doubtful device that tells motion.
+  void acquit(Stamp since, const Doubts& doubts) {
+    for (Unit& unit : units_)
+      if (!doubts.tells_motion({unit.device}))
+        for (Test& test : unit.tests) test.acquit(since);
+  }
 
  private:
   static double unsettled(Unit& unit, const InertialUnit& inertial,

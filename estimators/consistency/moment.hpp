@@ -33,6 +33,7 @@ struct Moment {
   Devices level_from{};                          ///< the device that told down and rate
   double level_sigma_rad = 0;                    ///< of `down`, if no velocity helps to find it
   bool heading_known = false;
+  bool rate_lost = false;  ///< the rig has inertial units, and none tells the rate now
 };
 
 /// Within 60 degrees of level. A vehicle that rolls over or stands on its tail has no heading.
@@ -42,6 +43,13 @@ inline bool is_upright(const Moment& moment) { return !moment.down || moment.dow
 inline Eigen::Vector3d at_origin(const Eigen::Vector3d& velocity,
                                  const Eigen::Vector3d& lever_arm_m, const Moment& moment) {
   return moment.rate ? Eigen::Vector3d(velocity - moment.rate->cross(lever_arm_m)) : velocity;
+}
+
+/// 1 sigma of what at_origin() cannot take off while no unit tells how the vehicle turns, m/s. A
+/// rig that never knew it has learned so.
+inline double lever_sigma(const Eigen::Vector3d& lever_arm_m, const Moment& moment) {
+  constexpr double usual_rate_radps = 0.1;
+  return moment.rate_lost ? usual_rate_radps * lever_arm_m.norm() : 0;
 }
 
 /// Along and across of a body vector, in the horizontal plane.

@@ -74,6 +74,12 @@ Named best_of(const Accusation& fired, const Accusations& accusations) {
   return best;
 }
 
+/// One of the devices is guilty by other evidence, which has told it already.
+bool is_explained(const Accusation& fired, const Doubts& doubts) {
+  return std::ranges::any_of(fired.devices,
+                             [&](std::uint16_t device) { return doubts.is_guilty(device); });
+}
+
 }  // namespace
 
 /// A name does not change while its test fires: the others have reacted to it.
@@ -86,7 +92,7 @@ Named Parity::held(const Accusation& fired, Named named) {
   return named;
 }
 
-Parity::Names Parity::name(const Accusations& accusations, Stamp now) {
+Parity::Names Parity::name(const Accusations& accusations, const Doubts& doubts, Stamp now) {
   Names names;
   const auto add = [&](const Named& one) {
     if (names.size() < names.capacity()) names.push_back(one);
@@ -100,7 +106,8 @@ Parity::Names Parity::name(const Accusations& accusations, Stamp now) {
       known->by = &one;
   }
   for (const Accusation& one : accusations)
-    if (one.test->fired() && !is_named(names, one.devices) && now - one.test->since() > patience)
+    if (one.test->fired() && !is_named(names, one.devices) && !is_explained(one, doubts) &&
+        now - one.test->since() > patience)
       add(held(one, best_of(one, accusations)));
   held_.erase(std::remove_if(held_.begin(), held_.end(),
                              [](const Held& one) { return !one.test->fired(); }),

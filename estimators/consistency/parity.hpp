@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "estimators/consistency/devices.hpp"
+#include "estimators/consistency/doubts.hpp"
 #include "estimators/consistency/test.hpp"
 
 namespace drydock::consistency {
@@ -33,8 +34,9 @@ class Parity {
   using Names = boost::container::static_vector<Named, 16>;
   static constexpr std::chrono::milliseconds patience{2000};
 
-  /// The names point into `accusations`.
-  Names name(const Accusations& accusations, Stamp now);
+  /// The names point into `accusations`. Of several devices, one that is guilty by other
+  /// evidence (`doubts`) explains a test.
+  Names name(const Accusations& accusations, const Doubts& doubts, Stamp now);
 
  private:
   struct Held {

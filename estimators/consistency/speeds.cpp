@@ -77,8 +77,9 @@ void Speeds::see_dvls(const Moment& moment) {
     if (!read) continue;
     const Eigen::Vector2d velocity =
         at_origin(read->value, dvl.sensor.lever_arm_m, moment).head<2>();
-    group_.see(dvls_[i], velocity.norm(), read->serial);
-    ahead_.see(dvls_ahead_[i], velocity.x(), read->serial);
+    const double sigma = lever_sigma(dvl.sensor.lever_arm_m, moment);
+    group_.see(dvls_[i], velocity.norm(), read->serial, sigma);
+    ahead_.see(dvls_ahead_[i], velocity.x(), read->serial, sigma);
   }
 }
 
@@ -92,8 +93,9 @@ void Speeds::see_receivers(const Moment& moment) {
     if (!read) continue;
     const Eigen::Vector3d antenna =
         read->value.norm() / std::sqrt(1 - slope * slope) * Eigen::Vector3d::UnitX();
-    group_.see(receivers_[i], at_origin(antenna, receiver.sensor.lever_arm_m, moment).x(),
-               read->serial, unknown_share * antenna.x());
+    group_.see(
+        receivers_[i], at_origin(antenna, receiver.sensor.lever_arm_m, moment).x(), read->serial,
+        std::hypot(unknown_share * antenna.x(), lever_sigma(receiver.sensor.lever_arm_m, moment)));
   }
 }
 
@@ -102,7 +104,8 @@ void Speeds::see_logs(const Moment& moment) {
     if (const auto read = tracks_.logs[i].speed.at(moment.at)) {
       const Eigen::Vector2d velocity =
           water(i, read->value, moment) + currents_[i].at(moment.heading);
-      const double sigma = current_sigma(i, moment);
+      const double sigma = std::hypot(current_sigma(i, moment),
+                                      lever_sigma(tracks_.logs[i].sensor.lever_arm_m, moment));
       group_.see(logs_[i], velocity.norm(), read->serial, sigma);
       ahead_.see(logs_ahead_[i], velocity.x(), read->serial, sigma);
     }
@@ -199,6 +202,21 @@ void Speeds::judge_offset(Stamp at) {
   if (!is_log_off() || was_log) return;
   currents_[0] = off_currents_[0];
   group_.restart(logs_[0]);
+  forget_shafts();
+}
+
+void Speeds::forget_dvl(Stamp since, Stamp now) {
+  if (!first_ || now - since < since - *first_) return;
+  for (std::size_t i = 0; i < logs_.size(); ++i) {
+    currents_[i] = Current();
+    off_currents_[i] = Current(any_offset_mps);
+    learned_[i] = 0;
+    group_.restart(logs_[i]);
+  }
+  forget_shafts();
+}
+
+void Speeds::forget_shafts() {
   for (std::size_t i = 0; i < shafts_.size(); ++i) {
     surges_[i] = {};
     group_.restart(shafts_[i]);
@@ -206,6 +224,11 @@ void Speeds::judge_offset(Stamp at) {
 }
 
 bool Speeds::is_log_off() const { return off_ && off_->of == FirstOffset::Of::log; }
+
+std::optional<std::uint16_t> Speeds::dvl_off() const {
+  const bool off = off_ && off_->of == FirstOffset::Of::dvl;
+  return off ? std::optional(tracks_.dvls[0].device) : std::nullopt;
+}
 
 void Speeds::tell(Stamp now, diagnosis::SymptomSink& to) const {
   if (!off_) return;

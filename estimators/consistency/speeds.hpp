@@ -24,14 +24,25 @@ class Speeds {
     learn(moment);
   }
 
+  /// Test::acquit for all tests that are of no doubtful device that tells motion.
+  void acquit(Stamp since, const Doubts& doubts) {
+    group_.acquit(since, doubts);
+    ahead_.acquit(since, doubts);
+  }
+
   const Group& group() const { return group_; }
   /// Speed ahead: of each DVL, and of the first log with the current.
   const Group& ahead() const { return ahead_; }
   /// The speed along the deck less the current; empty if nothing tells how the water moves.
   std::optional<double> through_water(const Moment& moment) const;
 
+  /// A DVL has been wrong since then. What was learned beside it, if for the longer part of the
+  /// time it was wrong, begins anew.
+  void forget_dvl(Stamp since, Stamp now);
+
   /// One of three speeds was off from the start on.
   const std::optional<FirstOffset>& off() const { return off_; }
+  std::optional<std::uint16_t> dvl_off() const;
   /// Repeats the sign of a speed that was off from the start, while it lasts.
   void tell(Stamp now, diagnosis::SymptomSink& to) const;
 
@@ -45,6 +56,7 @@ class Speeds {
   void learn_currents(const Moment& moment);
   void judge_offset(Stamp at);
   bool is_log_off() const;
+  void forget_shafts();
   std::optional<double> dvl_over_receiver() const;
   void learn_surge(const Moment& moment);
   bool is_quiet(std::size_t witness) const;

@@ -48,6 +48,13 @@ void Test::take(const Residual& residual, Stamp at) {
   follow(dt);
 }
 
+void Test::acquit(Stamp since) {
+  if (cusum_.value() <= 0 || since_ < since) return;
+  cusum_.clear();
+  fired_ = false;
+  if (facts_.sum_above <= 0) restart();
+}
+
 void Test::learn(const Residual& residual) {
   if (samples_ == 0) {
     offset_ = residual.value;

@@ -47,6 +47,9 @@ class Test {
   void take(const Residual& residual, Stamp at);
   /// The offset begins anew, as after an outage of a sum.
   void restart() { samples_ = 0; }
+  /// What it was compared with has been wrong since then: an alarm that rose meanwhile is none of
+  /// its own. A sum begins anew.
+  void acquit(Stamp since);
   /// The residuals to come are larger by so much, for no fault of the device.
   void shift(double by) { offset_ += by; }
 

@@ -13,6 +13,7 @@
 #include "drivers/measurement/actuator_order.hpp"
 #include "estimators/consistency/consistency.hpp"
 #include "estimators/frame/attitude.hpp"
+#include "estimators/host/own_signs.hpp"
 #include "estimators/host/port_advice.hpp"
 
 namespace drydock::host {
@@ -101,8 +102,9 @@ class Diagnostician::Bench final : public Follower, private diagnosis::FindingLi
 
   Follower& to_;
   diagnosis::Judge judge_;
-  std::vector<diagnosis::DeviceMonitor> monitors_;
   consistency::Consistency cross_checks_;
+  OwnSigns own_signs_{judge_, cross_checks_};
+  std::vector<diagnosis::DeviceMonitor> monitors_;
   std::vector<const device::Device*> devices_;
   std::vector<Bus> buses_;
   std::vector<Line> lines_;           ///< each link once
@@ -122,7 +124,7 @@ Diagnostician::Bench::Bench(const rig_config::Rig& rig, Follower& to)
         std::ranges::count(rig.devices, config.link, &rig_config::DeviceConfig::link) == 1;
     const bool on_bus = expected.protocol.travels == wire::Travels::as_frames;
     expected.times_on_bus = on_bus && (alone || config.address != 0);
-    monitors_.emplace_back(expected, judge_);
+    monitors_.emplace_back(expected, own_signs_);
     down_m_.push_back(config.lever_arm_m[2]);
     auto line = std::ranges::find(lines_, config.link, &Line::link);
     if (line == lines_.end()) line = lines_.insert(lines_.end(), Line{config.link});

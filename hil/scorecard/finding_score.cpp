@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace drydock::scorecard {
 namespace {
@@ -35,11 +37,29 @@ double seconds_within(const FindingAt& finding, const Window& window) {
   return std::max(to - from, 0.0);
 }
 
+/// The fault of this pair, and the one beside it, harm these.
+bool is_harmed(const rig_config::Rig& rig, const Pair& pair, std::size_t device) {
+  return is_harmed(rig, pair.fault, device) || (pair.also && is_harmed(rig, *pair.also, device));
+}
+
+std::vector<std::string> others_accused(const rig_config::Rig& rig, const Window& window,
+                                        const Pair& pair, const RunRecord& run) {
+  std::set<std::pair<std::size_t, Cause>> accused;
+  for (const FindingAt& finding : run.findings)
+    if (finding.found_s >= window.warm_up_s && !is_harmed(rig, pair, finding.device))
+      accused.emplace(finding.device, finding.cause);
+  std::vector<std::string> names;
+  for (const auto& [device, cause] : accused)
+    names.push_back(rig.devices[device].name + " " + std::string(diagnosis::facts_of(cause).name));
+  return names;
+}
+
 }  // namespace
 
 FindingScore judge_findings(const rig_config::Rig& rig, const Window& window, const Pair& pair,
                             const RunRecord& run) {
   FindingScore score;
+  score.others = others_accused(rig, window, pair, run);
   std::map<Cause, double> said_s;
   const FindingAt* first = nullptr;
   for (const FindingAt& finding : run.findings) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hil/scorecard/fault_amounts.hpp"
 #include "hil/scorecard/run_record.hpp"
@@ -17,6 +18,8 @@ struct FindingScore {
                                   ///< bus, of a device on that bus
   bool right_word = false;        ///< a cause that the fault looks like
   std::uint64_t before = 0;       ///< findings before the fault began: false alarms
+  std::vector<std::string> others;  ///< "gnss delay": sound devices that had a finding since the
+                                    ///< fault began, each with each of its causes
 };
 
 FindingScore judge_findings(const rig_config::Rig& rig, const Window& window, const Pair& pair,

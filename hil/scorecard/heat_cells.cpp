@@ -1,6 +1,7 @@
 #include "hil/scorecard/heat_cells.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,13 @@ HeatCell found_cell(const Score& score) {
   if (!finding.right_word) return {short_number(*finding.found_s) + "?", Tone::unseen, 0, tip};
   return shade(short_number(*finding.found_s), log_level(*finding.found_s, shortest_s, longest_s),
                tip);
+}
+
+HeatCell others_cell(const Score& score) {
+  const auto& others = score.finding.others;
+  if (others.empty()) return shade("0", 0);
+  return {fmt::format("{}", others.size()), Tone::unseen, 0,
+          fmt::format("{} {}: {}", score.device, score.fault, fmt::join(others, ", "))};
 }
 
 HeatCell recover_cell(const Score& score) {

@@ -10,7 +10,8 @@ namespace drydock::scorecard {
 std::string short_number(double x);
 
 HeatCell detect_cell(const Score& score);
-HeatCell found_cell(const Score& score);  ///< amber if the device or the word is wrong
+HeatCell found_cell(const Score& score);   ///< amber if the device or the word is wrong
+HeatCell others_cell(const Score& score);  ///< how many sound devices and causes were accused
 HeatCell recover_cell(const Score& score);
 HeatCell lost_cell(std::int64_t lost);
 HeatCell wrong_cell(const Score& score);

@@ -16,7 +16,8 @@ struct adl_serializer<std::optional<T>> {
 
 namespace drydock::scorecard {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FindingScore, found_s, word, right_device, right_word, before)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FindingScore, found_s, word, right_device, right_word, before,
+                                   others)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EstimatorScore, name, error_deg, usual_deg, nees, valid_share,
                                    wrong_while_valid_s, usual_nees, horizontal_m, usual_m,
                                    recover_s, lost)

@@ -43,6 +43,7 @@ Json of_pair(const Score& score) {
   json["right_device"] = score.finding.right_device;
   json["right_word"] = score.finding.right_word;
   json["false_alarms"] = score.finding.before;
+  json["others_accused"] = score.finding.others;
   json["recover_s"] = number(score.recover_s);
   json["lost"] = score.lost;
   json["others_lost"] = score.others_lost;

@@ -1,6 +1,7 @@
 #include "hil/scorecard/scorecard_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -33,11 +34,12 @@ std::string median_of(std::vector<double> times) {
 
 /// What the diagnosis made of all pairs, one line.
 std::string findings_line(const Scorecard& card) {
-  std::size_t devices = 0, words = 0;
+  std::size_t devices = 0, words = 0, with_others = 0;
   std::uint64_t before = 0;
   std::vector<double> times;
   for (const Score& s : card.scores) {
     before += s.finding.before;
+    with_others += s.finding.others.empty() ? 0 : 1;
     if (!s.finding.found_s) continue;
     times.push_back(*s.finding.found_s);
     devices += s.finding.right_device ? 1 : 0;
@@ -45,8 +47,8 @@ std::string findings_line(const Scorecard& card) {
   }
   return fmt::format(
       "findings: {} of {} pairs, median after {}; right device {}, right word {}; "
-      "false alarms before the fault: {}",
-      times.size(), card.scores.size(), median_of(times), devices, words, before);
+      "sound devices accused beside it: in {} pairs; false alarms before the fault: {}",
+      times.size(), card.scores.size(), median_of(times), devices, words, with_others, before);
 }
 
 report::Table table_of(const Scorecard& card) {
@@ -54,15 +56,26 @@ report::Table table_of(const Scorecard& card) {
   table.title =
       fmt::format("{}: {:.0f} s sound, {:.0f} s of one fault, {:.0f} s behind it", card.rig,
                   card.window.warm_up_s, card.window.fault_s, card.window.after_s);
-  table.columns = {"device and fault", "amount",  "seen after s", "by",
-                   "found after s",    "finding", "over after s", "lost",
-                   "others lost",      "wrong",   "mistimed",     "lies"};
+  table.columns = {"device and fault",
+                   "amount",
+                   "seen after s",
+                   "by",
+                   "found after s",
+                   "finding",
+                   "others accused",
+                   "over after s",
+                   "lost",
+                   "others lost",
+                   "wrong",
+                   "mistimed",
+                   "lies"};
   for (const auto& e : card.scores.front().estimators)
     for (const char* column : {"error x", "NEES", "valid", "wrong s", "over after s"})
       table.columns.push_back(e.name + " " + column);
   for (const Score& s : card.scores) {
     table.rows.push_back({s.device + " " + s.fault, s.amount, seconds_or(s.detect_s, "not"), s.sign,
                           seconds_or(s.finding.found_s, "not"), finding_of(s.finding),
+                          fmt::format("{}", fmt::join(s.finding.others, ", ")),
                           seconds_or(s.recover_s, "not"), fmt::format("{}", s.lost),
                           fmt::format("{}", s.others_lost), fmt::format("{}", s.wrong),
                           fmt::format("{}", s.mistimed), fmt::format("{}", s.lies)});
@@ -114,11 +127,8 @@ HeatMap overview_of(const Scorecard& card) {
   HeatMap map;
   map.title =
       fmt::format("{}: {:.0f} s of each fault on each device", card.rig, card.window.fault_s);
-  map.panels = {{"seen after [s]", names},
-                {"found after [s]", names},
-                {"over after [s]", names},
-                {"wrong as valid", names},
-                {"mistimed", names}};
+  map.panels = {{"seen after [s]", names}, {"found after [s]", names}, {"others accused", names},
+                {"over after [s]", names}, {"wrong as valid", names},  {"mistimed", names}};
   const bool estimates = !card.scores.front().estimators.empty();
   if (estimates) map.panels.push_back({"estimator's error x", names});
   std::string layer;
@@ -130,8 +140,8 @@ HeatMap overview_of(const Scorecard& card) {
       tried = true;
       const auto device =
           static_cast<std::size_t>(std::ranges::find(names, s.device) - names.begin());
-      std::vector<HeatCell> cells{detect_cell(s), found_cell(s), recover_cell(s), wrong_cell(s),
-                                  mistimed_cell(s)};
+      std::vector<HeatCell> cells{detect_cell(s),  found_cell(s), others_cell(s),
+                                  recover_cell(s), wrong_cell(s), mistimed_cell(s)};
       if (estimates)
         cells.push_back(growth_cell(*std::ranges::max_element(s.estimators, {}, growth_of)));
       for (std::size_t panel = 0; panel < cells.size(); ++panel)
@@ -150,14 +160,14 @@ HeatMap map_of(const Scorecard& card, const std::string& device) {
   map.title = device;
   map.column_px = 64;
   map.panels = {{"driver",
-                 {"seen after [s]", "found after [s]", "over after [s]", "messages lost",
-                  "others lost", "wrong as valid", "mistimed", "sensor lies"}}};
+                 {"seen after [s]", "found after [s]", "others accused", "over after [s]",
+                  "messages lost", "others lost", "wrong as valid", "mistimed", "sensor lies"}}};
   for (const auto& e : card.scores.front().estimators)
     map.panels.push_back({e.name, {"error x", "NEES", "over after [s]"}});
   for (const Score& s : card.scores) {
     if (s.device != device) continue;
     HeatRow row{s.fault,
-                {detect_cell(s), found_cell(s), recover_cell(s), lost_cell(s.lost),
+                {detect_cell(s), found_cell(s), others_cell(s), recover_cell(s), lost_cell(s.lost),
                  lost_cell(s.others_lost), wrong_cell(s), mistimed_cell(s), lies_cell(s)}};
     for (const auto& e : s.estimators) {
       row.cells.push_back(growth_cell(e));
@@ -183,6 +193,8 @@ the run without faults did not: a state, a counter, a trouble report, missing nu
 quality, a gate. Under the pointer: which.</li>
 <li><b>found after</b>: from the fault's start to the first finding of the diagnosis; with a question
 mark: under another word. Under the pointer: the word.</li>
+<li><b>others accused</b>: sound devices that got a finding from the fault's start on; the goal is none.
+Under the pointer: which, and of what.</li>
 <li><b>over after</b>: from the fault's end to the first message from which on nothing is missing and
 everything is as expected.</li>
 <li><b>wrong as valid</b>: messages with a number beyond what noise, resolution and motion explain,

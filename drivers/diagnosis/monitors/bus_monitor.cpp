@@ -95,8 +95,12 @@ void BusMonitor::note_deafness(Stamp at) {
 void BusMonitor::note_busy(const wire::CanFrame& frame, Stamp at) {
   const double frame_s = static_cast<double>(wire::wire_bits(frame)) / bitrate_;
   const double pause_s = measurement::seconds(at - last_) - frame_s;
-  if (pause_s > frame_s) busy_since_ = at - measurement::from_seconds(frame_s);
   last_ = at;
+  ++busy_frames_;
+  if (pause_s <= frame_s) return;
+  busy_since_ = at - measurement::from_seconds(frame_s);
+  busy_frames_ = 1;
+  for (Node& node : nodes_) node.busy_frames = 0;
 }
 
 void BusMonitor::take_error(const wire::CanFrame& frame, Stamp at) {
@@ -196,8 +200,16 @@ void BusMonitor::watch_times(Usual& usual, const wire::CanFrame& frame, Stamp at
   const bool same = std::exchange(usual.data, data) == data;
   measurement::Origin origin;
   origin.received_at = at;
-  if (Node* node = owner_of(frame))
-    node->frames.take(usual.key, origin, same, at - busy_since_ > long_busy);
+  Node* const node = owner_of(frame);
+  if (node == nullptr) return;
+  ++node->busy_frames;
+  const bool by_others = 2 * node->busy_frames < busy_frames_;
+  const auto busy = at - busy_since_;
+  if (at - *first_ < learning) usual_busy_ = std::max(usual_busy_, busy);
+  const bool unusual = busy > std::max<std::chrono::nanoseconds>(long_busy, usual_busy_ * 3 / 2);
+  node->frames.take(
+      usual.key, origin, same,
+      {.now = busy > long_busy, .held_s = by_others && unusual ? measurement::seconds(busy) : 0});
 }
 
 bool BusMonitor::is_repeated(std::uint32_t key) {
@@ -269,6 +281,10 @@ void BusMonitor::look_at_strange(Stamp now) {
   if (strange_ < fewest_strange || strange_ == strange_told_) return;
   strange_told_ = strange_;
   const Amount amount{static_cast<double>(strange_), 0, "frames with identifiers seen once", ""};
+  // A node that lost its address sends from others.
+  const auto robbed = std::ranges::find(nodes_, true, &Node::robbed);
+  if (robbed != nodes_.end())
+    return robbed->teller.tell(Sign::strange_frames, strange_since_, now, amount);
   const auto sender = std::ranges::max_element(nodes_, {}, &Node::follows_strange);
   if (nodes_.size() > 1 && sender->follows_strange * 2 > strange_)
     return sender->teller.tell(Sign::strange_frames, strange_since_, now, amount);

@@ -35,6 +35,7 @@ class BusMonitor {
     TimeMonitor frames;  ///< half a sample shows here, and only here
     bool robbed = false;
     Stamp robbed_since{};
+    unsigned busy_frames = 0;      ///< its own since there was no pause
     unsigned follows_strange = 0;  ///< its frames that came right behind a strange one
   };
   /// Who first claimed an address of J1939.
@@ -81,9 +82,11 @@ class BusMonitor {
   bool off_ = false;
   Stamp off_since_{};
   Stamp window_from_{};
-  double new_bits_ = 0;          ///< of unusual identifiers since window_from_
-  Stamp last_{}, busy_since_{};  ///< the latest frame; since when there was no pause
-  double usual_pause_s_ = 0;     ///< between frames
+  double new_bits_ = 0;                    ///< of unusual identifiers since window_from_
+  Stamp last_{}, busy_since_{};            ///< the latest frame; since when there was no pause
+  unsigned busy_frames_ = 0;               ///< since then
+  std::chrono::nanoseconds usual_busy_{};  ///< the longest time without a pause at first
+  double usual_pause_s_ = 0;               ///< between frames
   bool behind_strange_ = false;
   Stamp strange_at_{}, strange_since_{};
   unsigned strange_ = 0, strange_told_ = 0;  ///< strange frames of the present bout

@@ -27,7 +27,7 @@ class DeviceMonitor {
   void look(const device::Vitals& vitals, Stamp now) {
     // A shorter silence is part of the pattern.
     if (vitals.state != device::State::streaming && now - last_ > away) interrupt();
-    line_.look(vitals, now);
+    line_.look(vitals, now, !times_.loses_from_start());
     times_.look(now);
     values_.look(now);
   }

@@ -42,12 +42,12 @@ double grown(std::uint64_t now, std::uint64_t before) {
 LineMonitor::LineMonitor(const Expected& expected, SymptomSink& to)
     : expected_(expected), teller_(expected.device, to) {}
 
-void LineMonitor::look(const Vitals& vitals, Stamp now) {
+void LineMonitor::look(const Vitals& vitals, Stamp now, bool counts) {
   look_at_state(vitals, now);
   if (!looked_) last_frame_ = now;
   look_at_bytes(vitals, now);
   if (looked_) {
-    if (now >= catches_up_until_) look_at_counters(vitals, now);
+    if (now >= catches_up_until_) look_at_counters(vitals, now, counts);
     look_at_reports(vitals, now);
     look_at_rate(vitals, now);
   }
@@ -115,7 +115,7 @@ void LineMonitor::look_at_bytes(const Vitals& vitals, Stamp now) {
       {bytes, fewest, text ? "bytes of text without a frame" : "bytes without a frame", "B"});
 }
 
-void LineMonitor::look_at_counters(const Vitals& vitals, Stamp now) {
+void LineMonitor::look_at_counters(const Vitals& vitals, Stamp now, bool counts) {
   const auto& was = last_.stream;
   // On a bus the driver also counts frames of others and halves of samples: the bus monitor looks.
   const bool bytes = expected_.protocol.travels == wire::Travels::as_bytes;
@@ -125,7 +125,7 @@ void LineMonitor::look_at_counters(const Vitals& vitals, Stamp now) {
   const double skipped = grown(vitals.stream.bytes_skipped, was.bytes_skipped);
   if (bytes) look_at_skipped(skipped, damaged > 0, vitals, now);
   const auto excess = frames_.add(vitals.stream.frames, now);
-  if (excess && bytes)
+  if (excess && bytes && counts)
     teller_.tell(Sign::repeated, now - std::chrono::seconds{FrameCount::window}, now,
                  {*excess, frames_.most_excess(), "frames too many in 8 s", ""});
   const double errors = grown(vitals.error_frames, last_.error_frames);

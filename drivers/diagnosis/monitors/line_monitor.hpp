@@ -17,7 +17,8 @@ class LineMonitor {
   /// The sink must outlive the monitor.
   LineMonitor(const Expected& expected, SymptomSink& to);
 
-  void look(const device::Vitals& vitals, Stamp now);
+  /// `counts`: what came in the first time is the usual number of frames.
+  void look(const device::Vitals& vitals, Stamp now, bool counts = true);
   /// This program stood still until `now`: what its driver missed in that time is no fault of a
   /// device that streamed before.
   void interrupt(Stamp now);
@@ -26,7 +27,7 @@ class LineMonitor {
   void look_at_state(const device::Vitals& vitals, Stamp now);
   bool is_silent(const device::Vitals& vitals, Stamp now) const;
   void look_at_bytes(const device::Vitals& vitals, Stamp now);
-  void look_at_counters(const device::Vitals& vitals, Stamp now);
+  void look_at_counters(const device::Vitals& vitals, Stamp now, bool counts);
   void look_at_skipped(double bytes, bool damaged, const device::Vitals& vitals, Stamp now);
   void look_at_reports(const device::Vitals& vitals, Stamp now);
   void look_at_rate(const device::Vitals& vitals, Stamp now);

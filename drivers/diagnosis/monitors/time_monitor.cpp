@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace drydock::diagnosis {
 namespace {
@@ -51,7 +52,7 @@ TimeMonitor::Stream* TimeMonitor::stream_of(std::uint32_t kind) {
 }
 
 void TimeMonitor::take(std::uint32_t kind, const measurement::Origin& origin, bool same,
-                       bool bus_busy) {
+                       const Busy& bus) {
   Stream* const stream = stream_of(kind);
   if (stream == nullptr) return;
   const Stamp at = origin.received_at;
@@ -59,13 +60,14 @@ void TimeMonitor::take(std::uint32_t kind, const measurement::Origin& origin, bo
   const auto arrival = stream->raster.add(at, measurement::seconds(at - last_));
   if (stream->raster.known() && !was_known) note_first_time(stream->raster);
   last_ = at;
-  if (!expected_.times_on_bus) judge(*stream, arrival, origin, same, bus_busy);
+  if (!expected_.times_on_bus) judge(*stream, arrival, origin, same, bus);
   watch_clock(*stream, origin, arrival.step);
 }
 
 /// Messages were lost from the start on.
 void TimeMonitor::note_first_time(const Raster& raster) {
   if (raster.missing_share() < raised) return;
+  loses_from_start_ = true;
   while (!gaps_.fired()) gaps_.add(true, raster.first_missing());
 }
 
@@ -81,7 +83,7 @@ void TimeMonitor::note_length(std::uint32_t kind, std::uint32_t length, Stamp at
 }
 
 void TimeMonitor::judge(Stream& stream, Raster::Arrival arrival, const measurement::Origin& origin,
-                        bool same, bool bus_busy) {
+                        bool same, const Busy& bus) {
   const Stamp at = origin.received_at;
   stream.jitter.add(at);
   if (const double waits_s = 1.3 * stream.raster.waits_s(); waits_s > line_s_) line_s_ = waits_s;
@@ -89,22 +91,37 @@ void TimeMonitor::judge(Stream& stream, Raster::Arrival arrival, const measureme
     stream.allowed_s = line_s_;
     stream.raster.allow(line_s_);
   }
-  if (bus_busy && arrival.step == Step::odd && arrival.slots < 2) arrival.step = Step::regular;
+  if (is_excused(stream, arrival, bus.held_s)) {
+    stream.raster.interrupt();
+    interrupt(stream);
+    last_stream_.reset();
+    return;
+  }
+  if (bus.now && arrival.step == Step::odd && arrival.slots < 2) arrival.step = Step::regular;
   const bool same_time = origin.device_time && origin.device_time == stream.device_time;
   stream.device_time = origin.device_time;
   if (arrival.interval_s > away_s || at < moved_until_)
     interrupt(stream);
   else if (arrival.step != Step::first)
     step(stream, arrival, at, same || same_time);
+  if (bus.held_s > 0) last_stream_.reset();  // what waits goes by its priority
   watch_order(stream, arrival.step, at);
+}
+
+/// Others held it, or the one before it.
+bool TimeMonitor::is_excused(const Stream& stream, const Raster::Arrival& arrival, double held_s) {
+  if (held_s <= 0) return false;
+  const double off_s = std::abs(arrival.interval_s - stream.raster.period_s());
+  return arrival.step != Step::regular && off_s <= held_s + stream.raster.tolerance_s();
 }
 
 /// Two messages of one time that changed places are late by less than the raster tolerates. But one
 /// follows another that it never followed.
 void TimeMonitor::watch_order(Stream& stream, Step step, Stamp at) {
   const auto index = static_cast<std::size_t>(&stream - streams_.data());
-  const std::uint32_t bit = std::uint32_t{1} << last_stream_;
-  last_stream_ = index;
+  const auto before = std::exchange(last_stream_, index);
+  if (!before) return;
+  const std::uint32_t bit = std::uint32_t{1} << *before;
   if (!stream.raster.known()) {
     stream.followed |= bit;
   } else if ((stream.followed & bit) == 0 && step == Step::regular) {

@@ -22,9 +22,15 @@ class TimeMonitor {
 
   /// `stream`: number of the kind of message (stream_of). `same`: all values are those of the
   /// message before in that stream.
-  /// `bus_busy`: the bus was taken without a pause, so that the message may be late.
-  void take(std::uint32_t stream, const measurement::Origin& origin, bool same,
-            bool bus_busy = false);
+  /// Of a bus that had no pause, so that the message may be late.
+  struct Busy {
+    bool now = false;
+    double held_s = 0;  ///< by other nodes, for longer than ever in the first time
+  };
+  void take(std::uint32_t stream, const measurement::Origin& origin, bool same, const Busy& bus);
+  void take(std::uint32_t stream, const measurement::Origin& origin, bool same) {
+    take(stream, origin, same, {});
+  }
   /// Before take(): a change of the length (line_length_of) moves the times of all that follows
   /// on a line of sentences.
   void note_length(std::uint32_t stream, std::uint32_t length, Stamp at);
@@ -34,6 +40,8 @@ class TimeMonitor {
   /// monitor asks for it, because nodes push each other's frames about.
   std::optional<Amount> drift(Stamp now) const;
   Stamp drift_since() const { return drifting_.since; }
+  /// Messages were lost in the first time already: what came then is not the usual number.
+  bool loses_from_start() const { return loses_from_start_; }
   /// The whole host stood still, or the device was away: the next intervals mean nothing.
   void interrupt();
   /// The same for a pause that others had as well. A raster that is not known yet learns it.
@@ -78,7 +86,8 @@ class TimeMonitor {
   void crowded(Stream& stream, Stamp at, bool same);
   static void interrupt(Stream& stream);
   void judge(Stream& stream, Raster::Arrival arrival, const measurement::Origin& origin, bool same,
-             bool bus_busy);
+             const Busy& bus);
+  static bool is_excused(const Stream& stream, const Raster::Arrival& arrival, double held_s);
   void watch_order(Stream& stream, Step step, Stamp at);
   void nothing_happened(Stamp at);
   void odd(Stamp at);
@@ -97,7 +106,8 @@ class TimeMonitor {
   EventTest gaps_, repeats_, swaps_, odds_, backwards_;
   Lasting late_, drifting_;
   Stamp last_{};                            ///< the latest message
-  std::size_t last_stream_ = 0;             ///< index of its stream
+  std::optional<std::size_t> last_stream_;  ///< index of its stream; empty: it says nothing
+  bool loses_from_start_ = false;
   Stamp moved_until_{};                     ///< the times of messages find a new place
   double line_s_ = 0;                       ///< what the line may add to an interval
   std::array<std::uint64_t, 4> history_{};  ///< one bit a message for each Happened

@@ -76,6 +76,19 @@ TEST_F(BusThatIsWatched, BlamesNoNodeForAPauseOfAll) {
   EXPECT_TRUE(signs.all.empty());
 }
 
+// A frame of 8 bytes has 131 bits: 120 of them in a row take 63 ms, and the rudder waits for them.
+TEST_F(BusThatIsWatched, BlamesNoNodeThatWaitsForTheBurstOfAnother) {
+  for (int i = 0; i < 60; ++i) {
+    tenth();
+    now += 0.1;
+    for (int k = 0; k < 120; ++k) take(frame_of(id(127'257, 35), true), 131. / 250'000 * k);
+    take(frame_of(id(127'245, 36), true), 131. / 250'000 * 120);
+    monitor.look(at_s(now + 0.065));
+  }
+  for (const Sign sign : {Sign::irregular, Sign::swapped, Sign::gaps, Sign::late, Sign::repeated})
+    EXPECT_FALSE(signs.has(sign, rudder)) << to_string(sign);
+}
+
 TEST_F(BusThatIsWatched, BlamesANodeThatComesLateWhileTheOtherGoesOn) {
   for (int i = 0; i < 14; ++i) {
     now += 0.1;
@@ -166,6 +179,23 @@ TEST_F(BusThatIsWatched, HasAnAddressWithTwoOwners) {
   tenth();
   EXPECT_TRUE(signs.has(Sign::address_taken, depth));
   EXPECT_FALSE(signs.has(Sign::address_taken, rudder));
+}
+
+// J1939-81: who loses his address claims another, and sends from there.
+TEST_F(BusThatIsWatched, LaysFramesFromNewAddressesToTheNodeWhoseAddressIsTaken) {
+  for (const std::uint8_t name : {0xC0, 0x80}) {
+    wire::CanFrame claim = frame_of(id(wire::j1939::address_claim_pgn | 0xFF, 35), true);
+    claim.data[0] = name;
+    monitor.take(claim, at_s(now + 0.01));
+  }
+  for (const std::uint8_t address : {128, 129, 130, 131}) {
+    now += 0.1;
+    take(frame_of(id(127'257, address), true));
+    take(frame_of(id(127'245, 36), true), 0.001);  // right behind them, by chance
+    monitor.look(at_s(now + 0.002));
+  }
+  EXPECT_TRUE(signs.has(Sign::address_taken, depth));
+  EXPECT_FALSE(signs.has(Sign::strange_frames, rudder));
 }
 
 /// A rig need not state the address of its only node; a claim of an address from which nobody sends

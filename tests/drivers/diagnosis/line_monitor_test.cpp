@@ -207,6 +207,19 @@ TEST_F(LineThatIsWatched, HasTooManyFramesWhenOneInFiveComesTwice) {
   EXPECT_TRUE(signs.has(Sign::repeated));
 }
 
+// A third is lost at first and nothing later: what was learned is not the usual number.
+TEST_F(LineThatIsWatched, HasNoFramesTooManyWhereFramesWereLostFromTheStart) {
+  Signs told;
+  LineMonitor lossy{{.kind = measurement::Kind::dvl, .nominal_rate_hz = 10}, told};
+  for (int i = 0; i < 400; ++i) {
+    now += 0.25;
+    health.stream.frames += i < 240 ? 2 : 3;
+    health.last_message_at = at_s(now);
+    lossy.look(health, at_s(now), false);
+  }
+  EXPECT_FALSE(told.has(Sign::repeated));
+}
+
 /// Two seconds of frames are held and come together, ten times; then all is as before.
 TEST_F(LineThatIsWatched, HasNoFramesTooManyBehindThoseThatWereHeld) {
   for (int i = 0; i < 80; ++i) look(i % 8 == 7 ? 24 : 0);

@@ -58,5 +58,19 @@ TEST(FirstFault, AReceiverThatReadsAThirdOfAMetreASecondTooLittleIsOff) {
   expect_only(gnss, Sign::offset, voyage);
 }
 
+/// No change shows it, and a value that never differed is no jump.
+TEST(FirstFault, OfAUnitThatIsStuckFromItsFirstSampleOnIsCalledStuck) {
+  Voyage voyage({dvl, gnss, imu, depth, compass});
+  voyage.run(120, from_the_start<ImuSample>([](auto& m) {
+               m.angular_rate = {1e-3, 2e-3, 3e-3};
+               m.specific_force = {0.01, 0.02, -9.8};
+             }));
+  ASSERT_FALSE(voyage.said().empty());
+  for (const auto& one : voyage.said()) {
+    EXPECT_EQ(one.device, imu) << one.at_s;
+    EXPECT_EQ(one.sign, Sign::stuck) << to_string(one.sign) << " at " << one.at_s;
+  }
+}
+
 }  // namespace
 }  // namespace drydock::consistency::test

@@ -49,5 +49,20 @@ TEST(Test, LearnsNoSpreadFromADeviationThatIsKnownToBeAnotherError) {
   EXPECT_NEAR(residuals.test.spread(), 0.1, 0.01) << "the floor";
 }
 
+// By (7) five floors are four more than the reference a sample, so three samples are the limit.
+TEST(Test, ThatIsAcquittedForgetsWhatRoseSinceThenAndFiresAgainWhereItIsNotOver) {
+  Residuals residuals(false);
+  residuals.go(20, 0, 0);
+  residuals.go(2, 0.5, 0);
+  ASSERT_TRUE(residuals.test.fired());
+  residuals.test.acquit(residuals.test.since() + std::chrono::seconds{1});
+  EXPECT_TRUE(residuals.test.fired()) << "it rose before";
+  residuals.test.acquit(residuals.test.since());
+  EXPECT_FALSE(residuals.test.fired());
+  EXPECT_EQ(residuals.test.suspicion(), 0);
+  residuals.go(2, 0.5, 0);
+  EXPECT_TRUE(residuals.test.fired());
+}
+
 }  // namespace
 }  // namespace drydock::consistency

@@ -116,4 +116,26 @@ TEST(Scorecard, NoDeviceWithAChecksumGivesAWrongNumberForDamagedBytes) {
   }
 }
 
+/// What one wrong device does to the checks of the others is none of their faults.
+TEST(Diagnosis, AccusesNoSoundDeviceBesideTheOneThatIsWrong) {
+  const auto rig = demo();
+  const Window window;
+  auto sound = rig;
+  sound.faults.clear();
+  const Reference reference(record_run(sound, window.run_s()));
+  auto pairs = pairs_of(rig, window, {"dvl"}, {"wrong", "spike", "stuck", "bias", "noise"});
+  for (const char* burst : {"imu", "actuators"})
+    for (const auto& pair : pairs_of(rig, window, {burst}, {"burst"})) pairs.push_back(pair);
+  for (const auto& pair : pairs_of(rig, window, {"depth"}, {"address-stolen"}))
+    pairs.push_back(pair);
+  ASSERT_EQ(pairs.size(), 8u);
+  for (const auto& pair : pairs) {
+    auto faulty = rig;
+    faulty.faults = {pair.fault};
+    const Score s = score_of(rig, window, pair, reference, record_run(faulty, window.run_s()));
+    EXPECT_TRUE(s.finding.right_device) << s.device << " " << s.fault;
+    EXPECT_EQ(s.finding.others, std::vector<std::string>{}) << s.device << " " << s.fault;
+  }
+}
+
 }  // namespace scorecard_test
