@@ -22,6 +22,7 @@ class Files(unittest.TestCase):
         self.assertEqual(pairs["fault"].tolist(), [pair["fault"] for pair in text["pairs"]])
         self.assertEqual(pairs["lost"].dtype, float)
         np.testing.assert_array_equal(np.isnan(pairs["detect_s"]), [pair["detect_s"] is None for pair in text["pairs"]])
+        self.assertEqual(pairs["others_accused"].tolist(), [pair["others_accused"] for pair in text["pairs"]])
         self.assertEqual(pairs["leveling.error_deg"].tolist(), [pair["leveling"]["error_deg"] for pair in text["pairs"]])
 
     def test_a_calibration_is_that_of_the_program(self):

@@ -10,10 +10,15 @@ Path = Union[str, "os.PathLike[str]"]
 
 
 def _column(values: List[Any]) -> Any:
-    """None among numbers is NaN."""
+    """None among numbers is NaN; lists stay lists."""
     if all(value is None or type(value) in (int, float) for value in values):
         return np.array([np.nan if value is None else value for value in values], dtype=float)
-    return np.array(values)
+    if not any(isinstance(value, list) for value in values):
+        return np.array(values)
+    column = np.empty(len(values), dtype=object)
+    for row, value in enumerate(values):
+        column[row] = value
+    return column
 
 
 def _flat(row: Dict[str, Any]) -> Dict[str, Any]:
