@@ -1,5 +1,7 @@
 #include "estimators/host/bus_estimates.hpp"
 
+#include <cmath>
+
 namespace drydock::host {
 namespace {
 
@@ -9,6 +11,16 @@ bus::Integrity bus_integrity(const pipeline::Integrity& integrity) {
           .pitch_bound_rad = integrity.pitch_bound_rad,
           .heading_bound_rad = integrity.heading_bound_rad,
           .horizontal_bound_m = integrity.horizontal_bound_m};
+}
+
+/// An estimate without a height is told north and east, and no down.
+Eigen::Vector3d offset_of(frame::Position from, frame::Position to) {
+  const double down = from.height_m - to.height_m;
+  if (!std::isnan(down)) return frame::ned_offset(from, to);
+  from.height_m = to.height_m = std::isnan(from.height_m) ? 0 : from.height_m;
+  Eigen::Vector3d offset = frame::ned_offset(from, to);
+  offset.z() = down;
+  return offset;
 }
 
 }  // namespace
@@ -29,7 +41,7 @@ Estimate bus_estimate(const pipeline::NavigationEstimate& estimate, const frame:
                      .latitude_rad = estimate.position.latitude_rad,
                      .longitude_rad = estimate.position.longitude_rad,
                      .height_m = estimate.position.height_m,
-                     .offset_ned = frame::ned_offset(origin, estimate.position),
+                     .offset_ned = offset_of(origin, estimate.position),
                      .velocity_ned = estimate.velocity_ned,
                      .body_to_ned = estimate.body_to_ned,
                      .covariance = estimate.covariance};
@@ -51,7 +63,8 @@ void EstimateTeller::on_attitude(const pipeline::AttitudeEstimate& estimate) {
 void EstimateTeller::on_navigation(const pipeline::NavigationEstimate& estimate) {
   if (origins_.size() <= estimate.estimator) origins_.resize(estimate.estimator + 1U);
   auto& origin = origins_[estimate.estimator];
-  if (!origin) origin = estimate.position;
+  if (!origin || std::isnan(origin->latitude_rad)) origin = estimate.position;
+  if (std::isnan(origin->height_m)) origin->height_m = estimate.position.height_m;
   to_.on_estimate(bus_estimate(estimate, *origin));
 }
 

@@ -9,7 +9,7 @@
 namespace drydock::host {
 
 /// Converts estimates to the types of the bus. `origin` is the first position of the same
-/// estimator, from which the offset counts.
+/// estimator, from which the offset counts. What an estimate does not give is NaN there too.
 Estimate bus_estimate(const pipeline::AttitudeEstimate& estimate);
 Estimate bus_estimate(const pipeline::NavigationEstimate& estimate, const frame::Position& origin);
 bus::Innovation bus_innovation(const pipeline::InnovationReport& report);

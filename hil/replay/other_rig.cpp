@@ -38,7 +38,8 @@ bool needs_any(const rig_config::EstimatorConfig& estimator,
          std::ranges::any_of(compared, [&](const auto& name) { return has(names, name); });
 }
 
-/// Takes the devices out of the rig, and what names them: estimators and expectations.
+}  // namespace
+
 void leave_out(const std::vector<std::string>& silent, OtherRig& other) {
   std::vector<std::string> gone = silent;
   std::erase_if(other.rig.devices, [&](const auto& device) { return has(silent, device.name); });
@@ -52,8 +53,6 @@ void leave_out(const std::vector<std::string>& silent, OtherRig& other) {
     return has(gone, expect.device) || has(gone, expect.estimator);
   });
 }
-
-}  // namespace
 
 OtherRig fit(rig_config::Rig rig, const record::Recording& recording,
              const rig_config::Rig& recorded) {

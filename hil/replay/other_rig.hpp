@@ -19,4 +19,8 @@ struct OtherRig {
 OtherRig fit(rig_config::Rig rig, const record::Recording& recording,
              const rig_config::Rig& recorded);
 
+/// Takes the devices out of the rig, and what names them: estimators, which is noted, and
+/// expectations.
+void leave_out(const std::vector<std::string>& devices, OtherRig& other);
+
 }  // namespace drydock::replay

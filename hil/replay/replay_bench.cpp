@@ -76,6 +76,7 @@ void ReplayBench::play(Pace& pace, const record::Watch& watch) {
     const Stamp at = time_of(*event);
     if (!part_.holds(at, begin)) continue;
     last = std::max(last, at);
+    end_links_before(at);
     skip_hole(at);
     note_heard(*event, at);
     if (const auto* raw = std::get_if<record::RawEvent>(&*event)) {
@@ -89,11 +90,23 @@ void ReplayBench::play(Pace& pace, const record::Watch& watch) {
   // The replay does not run past the end of the recording: the record does not show what drivers
   // that still waited would have got.
   if (!gate_.ended) wait_until(last, pace);
+  if (!gate_.ended) end_links_before(part_.to ? last : Stamp::max());
   pipeline_.flush();
   truth_.tell();
   if (outlets_.at_end) outlets_.at_end();
   gate_.stopping = true;
   player_->finish(player_->now());
+}
+
+/// A link has its last event at its end, so this is the first moment behind it.
+void ReplayBench::end_links_before(Stamp at) {
+  const auto& links = recording_.links();
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const auto end = outlets_.ends.find(links[i].uri);
+    if (end == outlets_.ends.end() || end->second >= at) continue;
+    player_->end_of_recording(i);
+    outlets_.ends.erase(end);
+  }
 }
 
 void ReplayBench::note_heard(const record::Event& event, Stamp at) {
@@ -120,6 +133,13 @@ std::vector<const device::Device*> ReplayBench::devices() const {
   std::vector<const device::Device*> all;
   for (const auto& actor : player_->devices()) all.push_back(&actor->device());
   return all;
+}
+
+std::vector<std::pair<std::string, double>> ReplayBench::rates_hz() const {
+  std::vector<std::pair<std::string, double>> rates;
+  for (const auto* device : devices())
+    rates.emplace_back(device->name(), device->health(player_->now()).rate_hz.value_or(0));
+  return rates;
 }
 
 /// Time goes on from deadline to deadline: those of the drivers, those of the faults, and the

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 
 #include "drivers/recordings/record/player.hpp"
@@ -23,6 +24,8 @@ struct ReplayOutlets {
   std::function<void()> at_end = {};  ///< before the devices close; may be empty
   /// How estimators in other programs are reached; null: they are not.
   const setup::Outside* outside = nullptr;
+  /// By link: when what fed it ended. Other links go on to the end of the recording.
+  std::map<std::string, measurement::Stamp> ends = {};
 };
 
 /// Drivers and estimators of a recorded rig, fed with the recorded bytes. Time is virtual, with or
@@ -45,8 +48,9 @@ class ReplayBench {
   const std::vector<std::uint64_t>& estimates() const { return gate_.estimates; }  ///< by estimator
   const TruthErrors& errors() const { return errors_; }
   const record::Player& player() const { return *player_; }
-  std::vector<const device::Device*> devices() const;           ///< in the order of the rig
-  const ReplayFaults* faults() const { return faults_.get(); }  ///< nullptr: none
+  std::vector<const device::Device*> devices() const;            ///< in the order of the rig
+  std::vector<std::pair<std::string, double>> rates_hz() const;  ///< now, by device
+  const ReplayFaults* faults() const { return faults_.get(); }   ///< nullptr: none
   pipeline::Pipeline& pipeline() { return pipeline_; }
   measurement::Stamp::duration played() const { return player_->now() - start_; }
 
@@ -60,6 +64,7 @@ class ReplayBench {
   void hear(const record::RawEvent& event);
   void tell_health();
   void skip_hole(Stamp at);
+  void end_links_before(Stamp at);
   void note_heard(const record::Event& event, Stamp at);
 
   /// Counts results and passes them on until the replay ends.

@@ -4,10 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <stdexcept>
 
@@ -22,13 +18,12 @@
 #include "hil/replay/other_rig.hpp"
 #include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/recording_progress.hpp"
-#include "hil/replay/reference_check.hpp"
+#include "hil/replay/reference_outlets.hpp"
 #include "hil/replay/replay_account.hpp"
 #include "hil/replay/replay_bench.hpp"
 #include "hil/replay/replay_lines.hpp"
+#include "hil/replay/replay_source.hpp"
 #include "hil/replay/replay_summary.hpp"
-#include "hil/replay/topics_follower.hpp"
-#include "hil/report/write_file.hpp"
 #include "hil/summary/findings.hpp"
 #include "hil/summary/judge.hpp"
 #include "hil/summary/write_files.hpp"
@@ -38,44 +33,26 @@ namespace drydock::replay {
 
 namespace {
 
-std::string text_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw std::runtime_error(path + ": " + std::strerror(errno));
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 using Faults = std::vector<rig_config::FaultConfig>;
 
 Faults faults_of(const std::string& path) {
   return path.empty() ? Faults{} : rig_config::load_faults(path).value();
 }
 
-/// Describes the part of the recording and the faults. References are valid only for the same text.
-std::string part_text(const record::Selection& part, const Faults& faults) {
-  std::string text;
-  for (const auto& name : part.only) text += (text.empty() ? "only " : ",") + name;
-  if (part.from) text += fmt::format(" from {} ns", part.from->count());
-  if (part.to) text += fmt::format(" to {} ns", part.to->count());
-  if (text.empty()) text = "all";
-  for (const auto& fault : faults)
-    text += fmt::format("{} {} from {} s", &fault == &faults.front() ? ", with" : ",", fault.words,
-                        fault.start_s);
-  return text;
-}
-
 /// One replay with all outputs of its options. Members are in the order in which they need each
 /// other.
 class RigReplay {
  public:
-  RigReplay(const RigReplayOptions& options, record::Recording recording, std::FILE* in,
-            std::FILE* out, std::FILE* err)
+  RigReplay(const RigReplayOptions& options, ReplaySource source, std::FILE* in, std::FILE* out,
+            std::FILE* err)
       : options_(options),
         out_(out),
         err_(err),
-        recording_(std::move(recording)),
+        recording_(std::move(source.recording)),
         recorded_(recording_),
-        other_(rig_to_play()),
+        other_(source.laid ? std::move(*source.laid) : rig_to_play()),
         faults_(faults_of(options.faults)),
+        references_(options, faults_),
         lines_(rig(), out),
         steps_(in) {
     if (const auto wrong = misfit(options.part, recording_); !wrong.empty())
@@ -94,7 +71,7 @@ class RigReplay {
                                  [this] {
                                    if (summary_) summary_->note_end();
                                  },
-                                 outside_ ? &*outside_ : nullptr},
+                                 outside_ ? &*outside_ : nullptr, std::move(source.ends)},
                    faults_);
     add_followers();
     if (options.rig.empty() && !recorded_.trouble().empty())
@@ -111,13 +88,18 @@ class RigReplay {
     if (draws_over_lines()) {
       bench_->play(pace, [](double) { return true; });
     } else {
-      RecordingProgress progress("replay", err_, [this] { return standing(); });
+      RecordingProgress progress("replay", err_, [this] {
+        return host::RunStanding{
+            .recorded = recorder_ ? std::optional(recorder_->bytes()) : std::nullopt,
+            .rates_hz = bench_->rates_hz()};
+      });
       bench_->play(pace, std::ref(progress));
     }
     close_outlets();
     if (!lines_.flush()) return cannot_write();
     print_summary(options_.quiet ? out_ : err_);
-    const bool sound = compared() & judged();
+    const bool as_before = references_.finish(!bench_->interrupted(), err_);
+    const bool sound = judged() && as_before;
     const bool recorded = !(recorder_ && recorder_->failed());
     return terminal::exit_of(sound && recorded && bench_->measurements() > 0);
   }
@@ -129,9 +111,12 @@ class RigReplay {
 
   OtherRig rig_to_play() const {
     if (options_.rig.empty()) return {recorded_.rig(), {}};
-    auto loaded = rig_config::load_rig(options_.rig);
-    if (!loaded) throw std::runtime_error(to_string(loaded.error().front()));
-    return fit(std::move(*loaded), recording_, recorded_.rig());
+    return fit(rig_in(options_.rig), recording_, recorded_.rig());
+  }
+
+  /// Captures have none.
+  std::unique_ptr<RecordedTrajectory> recorded_truth() const {
+    return options_.captures.files.empty() ? RecordedTrajectory::read(options_.recording) : nullptr;
   }
 
   bool is_judged() const {
@@ -147,36 +132,17 @@ class RigReplay {
       return std::ranges::all_of(verdicts, &summary::Verdict::passed);
     }
     auto made = summary_->made();
-    if (auto verdict = verdict_on_recording()) made.verdicts.push_back(std::move(*verdict));
+    if (auto verdict = verdict_on(recording_)) made.verdicts.push_back(std::move(*verdict));
+    std::ranges::copy(other_.notes, std::back_inserter(made.notes));
     made.findings = summary::accounts_of(findings_, rig(), bench_->start());
     fmt::print(options_.quiet ? out_ : err_, "{}", to_text(made));
     summary::write_files(made, {options_.json, options_.report, options_.junit}, rig().file);
     return std::ranges::all_of(made.verdicts, &summary::Verdict::passed);
   }
 
-  /// What is missing in a recording was judged by nobody.
-  std::optional<summary::Verdict> verdict_on_recording() const {
-    if (recording_.damage().empty()) return {};
-    return summary::Verdict{.subject = "rig",
-                            .what = "recording",
-                            .measured = "damaged: " + recording_.damage(),
-                            .expected = "whole"};
-  }
-
   int cannot_write() {
     fmt::print(err_, "replay: cannot write the output\n");
     return terminal::exit_failed;
-  }
-
-  /// What the bar tells besides.
-  host::RunStanding standing() const {
-    host::RunStanding standing;
-    if (recorder_) standing.recorded = recorder_->bytes();
-    for (const auto* device : bench_->devices()) {
-      const auto health = device->health(bench_->player().now());
-      standing.rates_hz.emplace_back(device->name(), health.rate_hz.value_or(0));
-    }
-    return standing;
   }
 
   /// True if a progress bar would overwrite the lines, because both go to the same terminal.
@@ -207,21 +173,8 @@ class RigReplay {
     followers.add(*diagnostician_);
     followers.add(sound_devices_.emplace(rig, bench_->pipeline()));
     followers.add(findings_);
-    if (!options_.check.empty()) {
-      auto expected = parse_references(text_of(options_.check));
-      if (!expected) throw std::runtime_error(options_.check + ": " + expected.error().line);
-      if (expected->part != part_text(options_.part, faults_))
-        throw std::runtime_error(fmt::format("{} is of another part of a recording: {}; this is {}",
-                                             options_.check, expected->part,
-                                             part_text(options_.part, faults_)));
-      check_.emplace(std::move(*expected), options_.tolerance);
-      followers.add(checked_.emplace(*check_, rig));
-    }
-    if (!options_.update_refs.empty()) {
-      maker_.emplace(options_.refs_every);
-      followers.add(made_.emplace(*maker_, rig));
-    }
-    if (is_judged()) summary_.emplace(rig, *bench_, options_.recording);
+    references_.follow(followers, rig);
+    if (is_judged()) summary_.emplace(rig, *bench_, options_.recording, recorded_truth());
     if (!options_.record.path.empty())
       followers.add(recorder_.emplace(
           rig, options_.record, recording_.begin().value_or(Stamp{}),
@@ -233,26 +186,6 @@ class RigReplay {
     followers.add(states_.emplace(err_, bench_->start()));
     followers.add(said_.emplace(
         rig, bench_->start(), [this](const std::string& line) { fmt::print(err_, "{}\n", line); }));
-  }
-
-  /// Returns false if the replay differs from the references.
-  bool compared() {
-    if (maker_ && !bench_->interrupted()) {
-      report::write_file(options_.update_refs,
-                         to_json_text(maker_->made(part_text(options_.part, faults_))));
-      fmt::print(err_, "references written: {}\n", options_.update_refs);
-    }
-    if (!check_) return true;
-    const auto diverged = check_->finish();
-    if (diverged.empty()) {
-      fmt::print(err_, "as {} has it: {} messages on {} topics\n", options_.check,
-                 check_->messages(), check_->topics());
-      return true;
-    }
-    fmt::print(err_, "first divergence: {}\n", to_string(diverged.front()));
-    for (std::size_t i = 1; i < diverged.size(); ++i)
-      fmt::print(err_, "then: {}\n", to_string(diverged[i]));
-    return false;
   }
 
   void print_summary(std::FILE* to) {
@@ -278,6 +211,7 @@ class RigReplay {
   RecordedRig recorded_;
   OtherRig other_;  ///< the recorded one, if no other is asked for
   Faults faults_;
+  ReferenceOutlets references_;
   ReplayLines lines_;
   std::shared_ptr<host::Follower> diagnostician_;
   std::optional<host::SoundDevices> sound_devices_;
@@ -286,9 +220,6 @@ class RigReplay {
   std::optional<host::StateLines> states_;
   Steps steps_;
   std::optional<Onto> onto_;
-  std::optional<ReferenceCheck> check_;
-  std::optional<ReferenceMaker> maker_;
-  std::optional<TopicsFollower> checked_, made_;
   std::optional<host::RigRecorder> recorder_;
   std::optional<host::RigViewer> viewer_;
   std::optional<setup::Outside> outside_;  ///< empty: no other program is asked
@@ -298,28 +229,21 @@ class RigReplay {
 
 }  // namespace
 
-bool is_recording(const std::string& path) {
-  std::error_code none;
-  if (!std::filesystem::is_regular_file(path, none)) return false;
-  std::array<char, mcap::magic.size()> head{};
-  std::ifstream in(path, std::ios::binary);
-  return in.read(head.data(), head.size()) &&
-         std::memcmp(head.data(), mcap::magic.data(), head.size()) == 0;
-}
-
 int replay_rig(const RigReplayOptions& options, std::FILE* in, std::FILE* out, std::FILE* err) {
-  auto recording = record::Recording::open(options.recording);
-  if (!recording) {
-    fmt::print(err, "replay: {}\n", recording.error().line);
-    return terminal::exit_failed;
-  }
   const auto refused = [&](const std::exception& error, int code) {
     fmt::print(err, "replay: {}\n", error.what());
     return code;
   };
+  std::optional<ReplaySource> source;
+  try {
+    source = source_of(options);
+  } catch (const std::exception& error) {
+    return refused(error,
+                   options.captures.files.empty() ? terminal::exit_failed : terminal::exit_usage);
+  }
   std::optional<RigReplay> replay;
   try {
-    replay.emplace(options, std::move(*recording), in, out, err);
+    replay.emplace(options, std::move(*source), in, out, err);
   } catch (const std::exception& error) {
     return refused(error, terminal::exit_usage);
   }

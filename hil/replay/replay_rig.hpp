@@ -10,11 +10,14 @@
 #include "drivers/host/rig_recorder.hpp"
 #include "drivers/host/rig_viewer.hpp"
 #include "drivers/recordings/record/selection.hpp"
+#include "hil/replay/recording_file.hpp"
+#include "hil/replay/rig_captures.hpp"
 
 namespace drydock::replay {
 
 struct RigReplayOptions {
-  std::string recording;  ///< MCAP
+  std::string recording;  ///< MCAP; of captures: their names, for people
+  RigCaptures captures;   ///< what is played in the place of a recording; needs `rig`
   std::string rig;        ///< another rig file; empty: the recorded one
   record::Selection part;
   double speed = 0;  ///< factor on real time; 0: as fast as possible, in lockstep
@@ -30,11 +33,8 @@ struct RigReplayOptions {
   bool expect = false;              ///< judges the rig's [[expect]]
 };
 
-/// True if the file is a Drydock recording and not a capture. The content decides, not the name. A
-/// look takes bytes out of a pipe, so a pipe is none.
-bool is_recording(const std::string& path);
-
-/// `drydock replay` of a recording: plays its bytes through the rig's drivers and estimators.
+/// `drydock replay` of a recording, or of captures with a rig: plays the bytes through the rig's
+/// drivers and estimators.
 /// Writes JSON Lines to `out` (with `quiet` the summary) and the rest to `err`; steps wait for
 /// lines from `in`. Exit code: 0 there were measurements and none diverged; 1 otherwise; 2 it
 /// cannot be played.

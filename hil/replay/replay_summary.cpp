@@ -18,11 +18,12 @@ double length_s(const motion::Trajectory* truth) {
 }  // namespace
 
 ReplaySummary::ReplaySummary(const rig_config::Rig& rig, ReplayBench& bench,
-                             const std::string& recording)
+                             const std::string& recording,
+                             std::unique_ptr<RecordedTrajectory> truth)
     : rig_(rig),
       bench_(bench),
       recording_(recording),
-      truth_(RecordedTrajectory::read(recording)),
+      truth_(std::move(truth)),
       scribe_(rig, truth_.get(), bench.start(), length_s(truth_.get())),
       expects_(rig, truth_.get(), bench.start(), [this](measurement::Stamp) {
         return summary::ExpectWatch::Counts{devices(), estimators()};
@@ -70,6 +71,14 @@ summary::Summary ReplaySummary::made() const {
   write_programs(summary);
   expects_.write(summary, estimators());
   return summary;
+}
+
+std::optional<summary::Verdict> verdict_on(const record::Recording& recording) {
+  if (recording.damage().empty()) return {};
+  return summary::Verdict{.subject = "rig",
+                          .what = "recording",
+                          .measured = "damaged: " + recording.damage(),
+                          .expected = "whole"};
 }
 
 }  // namespace drydock::replay

@@ -16,8 +16,9 @@ namespace drydock::replay {
 class ReplaySummary {
  public:
   /// Adds itself to the bench's followers. All must outlive it. Every device of the rig must be
-  /// played.
-  ReplaySummary(const rig_config::Rig& rig, ReplayBench& bench, const std::string& recording);
+  /// played. `truth`: null if there is none.
+  ReplaySummary(const rig_config::Rig& rig, ReplayBench& bench, const std::string& recording,
+                std::unique_ptr<RecordedTrajectory> truth);
 
   /// Call it before the devices close.
   void note_end() { at_end_ = devices(); }
@@ -38,5 +39,8 @@ class ReplaySummary {
   std::vector<summary::DeviceSummary> at_end_;
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
+
+/// What is missing in a recording was judged by nobody. Empty: nothing is.
+std::optional<summary::Verdict> verdict_on(const record::Recording& recording);
 
 }  // namespace drydock::replay

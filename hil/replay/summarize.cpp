@@ -30,7 +30,7 @@ summary::Summary summarize(const std::string& path) {
   followers.add(*diagnostician);
   followers.add(sound_devices);
   followers.add(findings);
-  told.emplace(rig, bench, path);
+  told.emplace(rig, bench, path, RecordedTrajectory::read(path));
   boost::asio::io_context io{1};
   Pace pace(io, 0);
   RecordingProgress progress("diff", stderr);

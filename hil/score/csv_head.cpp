@@ -32,8 +32,13 @@ std::vector<std::string> csv_cells(std::string_view line) {
 }
 
 CsvHead::CsvHead(std::string_view line) : names_(csv_cells(line)) {
-  constexpr std::array<std::pair<const char*, const char*>, 2> also{
-      {{"yaw_deg", "heading_deg"}, {"altitude_m", "height_m"}}};
+  constexpr std::array<std::pair<const char*, const char*>, 6> also{
+      {{"yaw_deg", "heading_deg"},
+       {"altitude_m", "height_m"},
+       {"sigma_north_m", "north_sigma_m"},
+       {"sigma_east_m", "east_sigma_m"},
+       {"sigma_height_m", "down_sigma_m"},
+       {"sigma_heading_deg", "heading_sigma_deg"}}};
   for (const auto& [other, name] : also) std::ranges::replace(names_, other, name);
 }
 
@@ -57,8 +62,8 @@ std::string CsvHead::misfit() const {
   for (const auto& name : names_)
     if (!name.empty() && std::ranges::count(names_, name) > 1)
       return fmt::format("two columns are named {}", listed({name}));
-  if (!has("t_s") && !has("valid_at_ns"))
-    return fmt::format("no column t_s or valid_at_ns; there are: {}", listed(names_));
+  if (std::ranges::none_of(csv_times, [this](const char* name) { return has(name); }))
+    return fmt::format("no column {}; there are: {}", fmt::join(csv_times, " or "), listed(names_));
   if (!has_geodetic() && !has(csv_geodetic[2]) && !has_any(csv_local) && !has_any(csv_angles) &&
       !has_quaternion() && !has_any(csv_velocity) && !has_any(csv_body_velocity))
     return fmt::format(

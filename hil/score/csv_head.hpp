@@ -9,6 +9,7 @@ namespace drydock::score {
 
 /// Columns of one kind, along three axes.
 using CsvGroup = std::array<const char*, 3>;
+inline constexpr std::array csv_times{"valid_at_ns", "t_s", "utc"};  ///< the first one counts
 inline constexpr CsvGroup csv_geodetic{"latitude_deg", "longitude_deg", "height_m"};
 inline constexpr CsvGroup csv_local{"north_m", "east_m", "down_m"};
 inline constexpr CsvGroup csv_angles{"roll_deg", "pitch_deg", "heading_deg"};
@@ -33,8 +34,12 @@ inline std::string_view without_byte_order_mark(std::string_view text) {
 /// The cells of a line, without blanks and quotation marks.
 std::vector<std::string> csv_cells(std::string_view line);
 
+/// The correlation of north and east, beside their standard deviations.
+inline constexpr const char* csv_correlation = "correlation_north_east";
+
 /// The first line of a CSV file: the names of its columns. `yaw_deg` is `heading_deg`, `altitude_m`
-/// is `height_m`.
+/// is `height_m`, and the standard deviations may have the names of `drydock track`
+/// (`sigma_north_m`).
 class CsvHead {
  public:
   explicit CsvHead(std::string_view line);

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "drivers/measurement/units.hpp"
 #include "drivers/text/printable.hpp"
+#include "drivers/text/utc.hpp"
 #include "hil/score/attitude.hpp"
 #include "hil/score/csv_head.hpp"
 #include "hil/score/geodetic_place.hpp"
@@ -17,9 +19,10 @@ namespace drydock::score {
 namespace {
 
 using Eigen::Vector3d;
+using namespace std::chrono_literals;
 
-/// Seconds as a double are off by 0.2 us.
-constexpr std::chrono::microseconds same_time{1};
+/// By csv_times: seconds as a double are off by 0.2 us, a text has milliseconds.
+constexpr std::array<std::chrono::microseconds, 3> same_time{0us, 1us, 1000us};
 constexpr double same_attitude_rad = 1e-3;
 
 class CsvReader {
@@ -41,7 +44,7 @@ class CsvReader {
     state.angles = angles();
     state.velocity_in_body = !head_.has_any(csv_velocity) && head_.has_any(csv_body_velocity);
     state.velocity = three(state.velocity_in_body ? csv_body_velocity : csv_velocity);
-    state.position_m2 = covariance(csv_local_sigmas, 1);
+    state.position_m2 = position_covariance();
     state.angles_rad2 = covariance(csv_angle_sigmas, units::degree);
     state.velocity_m2ps2 =
         covariance(state.velocity_in_body ? csv_body_velocity_sigmas : csv_velocity_sigmas, 1);
@@ -80,14 +83,24 @@ class CsvReader {
   }
 
   std::optional<measurement::Stamp> time() {
-    const bool has_ns = head_.has("valid_at_ns"), has_s = head_.has("t_s");
-    const auto ns = has_ns ? stamp_of_nanoseconds(cell("valid_at_ns")) : std::nullopt;
-    const auto s = has_s ? stamp_of_seconds(cell("t_s")) : std::nullopt;
-    if (has_ns && has_s && ns && !(s && std::chrono::abs(*s - *ns) <= same_time))
-      note("t_s is not the time of valid_at_ns, which is taken");
-    const auto at = has_ns ? ns : s;
-    const char* name = has_ns ? "valid_at_ns" : "t_s";
-    if (!at) refuse(fmt::format("{} = \"{}\" is no time", name, text::printable(cell(name))));
+    const auto told = [&](const char* name, const auto& parse) {
+      return head_.has(name) ? parse(cell(name)) : std::nullopt;
+    };
+    const std::array times{told(csv_times[0], stamp_of_nanoseconds),
+                           told(csv_times[1], stamp_of_seconds),
+                           told(csv_times[2], text::parse_utc)};
+    const auto first = static_cast<std::size_t>(
+        std::ranges::find_if(csv_times, [&](const char* name) { return head_.has(name); }) -
+        csv_times.begin());
+    const auto at = times[first];
+    if (!at)
+      refuse(fmt::format("{} = \"{}\" is no time", csv_times[first],
+                         text::printable(cell(csv_times[first]))));
+    for (std::size_t other = first + 1; at && other < times.size(); ++other)
+      if (head_.has(csv_times[other]) &&
+          !(times[other] && std::chrono::abs(*times[other] - *at) <= same_time[other]))
+        note(fmt::format("{} is not the time of {}, which is taken", csv_times[other],
+                         csv_times[first]));
     return at;
   }
 
@@ -140,6 +153,18 @@ class CsvReader {
     if (!(sigmas.array() <= 0).any()) return Eigen::Matrix3d(sigmas.cwiseAbs2().asDiagonal());
     note("a standard deviation is not above 0, the covariance is left out");
     return {};
+  }
+
+  std::optional<Eigen::Matrix3d> position_covariance() {
+    auto told = covariance(csv_local_sigmas, 1);
+    const double correlation = number(csv_correlation);
+    if (!told || std::isnan(correlation)) return told;
+    if (std::abs(correlation) >= 1) {
+      note(fmt::format("{} is not between -1 and 1, the covariance is left out", csv_correlation));
+      return {};
+    }
+    (*told)(0, 1) = (*told)(1, 0) = correlation * std::sqrt((*told)(0, 0) * (*told)(1, 1));
+    return told;
   }
 
   const CsvHead& head_;

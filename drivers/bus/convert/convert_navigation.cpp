@@ -9,7 +9,7 @@ namespace {
 constexpr std::int8_t has_fix = 0, dead_reckoned_service = 0;
 constexpr std::uint8_t covariance_known = 3;
 
-/// Converts vectors as well as rotations: it is a proper rotation.
+/// Converts rotations. A product with it would spread a number that is not known (NaN).
 Eigen::Matrix3d ned_to_enu() {
   Eigen::Matrix3d m;
   m << 0, 1, 0, 1, 0, 0, 0, 0, -1;
@@ -18,6 +18,16 @@ Eigen::Matrix3d ned_to_enu() {
 
 Eigen::Matrix3d block(const Navigation& navigation, int row, int column) {
   return navigation.covariance.block<3, 3>(3 * row, 3 * column);
+}
+
+/// Adding 0 makes 0 of -0.
+Eigen::Vector3d enu_of(const Eigen::Vector3d& ned) { return swap_ned_enu(ned).array() + 0.0; }
+
+Eigen::Matrix3d enu_block(const Navigation& navigation, int row, int column) {
+  Eigen::Matrix3d both = block(navigation, row, column);
+  for (int i = 0; i < 3; ++i) both.col(i) = enu_of(both.col(i));
+  for (int i = 0; i < 3; ++i) both.row(i) = enu_of(both.row(i).transpose()).transpose();
+  return both;
 }
 
 void set(double (&covariance)[36], int row, int column, const Eigen::Matrix3d& values) {
@@ -29,19 +39,18 @@ void set(double (&covariance)[36], int row, int column, const Eigen::Matrix3d& v
 
 bool fill(OdometryMessage& message, const Navigation& navigation) {
   enum Block { position, velocity, rotation };
-  const Eigen::Matrix3d to_enu = ned_to_enu();
   const Eigen::Matrix3d frd_to_flu = Eigen::Vector3d{1, -1, -1}.asDiagonal();
   const Eigen::Matrix3d body_to_ned = navigation.body_to_ned.toRotationMatrix();
   message.header.stamp = to_time(navigation.valid_at);
 
-  const Eigen::Vector3d at = to_enu * navigation.offset_ned;
-  const Eigen::Quaterniond q(to_enu * body_to_ned * frd_to_flu);
+  const Eigen::Vector3d at = enu_of(navigation.offset_ned);
+  const Eigen::Quaterniond q(ned_to_enu() * body_to_ned * frd_to_flu);
   message.pose.pose.position = {at.x(), at.y(), at.z()};
   message.pose.pose.orientation = {q.x(), q.y(), q.z(), q.w()};
-  set(message.pose.covariance, 0, 0, to_enu * block(navigation, position, position) * to_enu);
-  set(message.pose.covariance, 0, 1, to_enu * block(navigation, position, rotation) * to_enu);
-  set(message.pose.covariance, 1, 0, to_enu * block(navigation, rotation, position) * to_enu);
-  set(message.pose.covariance, 1, 1, to_enu * block(navigation, rotation, rotation) * to_enu);
+  set(message.pose.covariance, 0, 0, enu_block(navigation, position, position));
+  set(message.pose.covariance, 0, 1, enu_block(navigation, position, rotation));
+  set(message.pose.covariance, 1, 0, enu_block(navigation, rotation, position));
+  set(message.pose.covariance, 1, 1, enu_block(navigation, rotation, rotation));
 
   const Eigen::Matrix3d ned_to_flu = frd_to_flu * body_to_ned.transpose();
   const Eigen::Vector3d v = ned_to_flu * navigation.velocity_ned;
@@ -60,7 +69,7 @@ bool fill(NavSatFixMessage& message, const Navigation& navigation) {
   message.latitude = navigation.latitude_rad * units::degrees_per_radian;
   message.longitude = navigation.longitude_rad * units::degrees_per_radian;
   message.altitude = navigation.height_m;
-  const Eigen::Matrix3d enu = ned_to_enu() * block(navigation, 0, 0) * ned_to_enu();
+  const Eigen::Matrix3d enu = enu_block(navigation, 0, 0);
   for (int i = 0; i < 9; ++i) message.position_covariance[i] = enu(i / 3, i % 3);
   message.position_covariance_type = covariance_known;
   return true;

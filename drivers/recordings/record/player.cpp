@@ -109,6 +109,10 @@ void Player::set_port(std::size_t link, bool there) {
   for (shell::DeviceActor* device : on_link_[link]) device->set_port(there, clock_.now());
 }
 
+void Player::end_of_recording(std::size_t link) {
+  for (shell::DeviceActor* device : on_link_[link]) device->end_of_recording(clock_.now());
+}
+
 void Player::finish(Stamp end) {
   run_until(end);
   for (const auto& device : devices_) device->stop(clock_.now());

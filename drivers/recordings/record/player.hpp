@@ -37,6 +37,9 @@ class Player final {
   void play(const RawEvent& event);
   /// The port of a link disappears, or comes back and can be opened again.
   void set_port(std::size_t link, bool there);
+  /// What fed a link has nothing more: what waits in its drivers comes out, and their silence is no
+  /// fault.
+  void end_of_recording(std::size_t link);
   /// Lets timers expire until `end`, then stops the devices.
   void finish(Stamp end);
 

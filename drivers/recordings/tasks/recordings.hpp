@@ -44,8 +44,4 @@ struct BisectOptions {
 };
 int bisect(const BisectOptions& options, const record::Watch& watch, std::FILE* err);
 
-/// "2023-11-14T22:13:20Z", with or without a fraction of up to nine digits. Empty if the text is no
-/// such time.
-std::optional<measurement::Stamp> parse_utc(std::string_view text);
-
 }  // namespace drydock::recordings

@@ -3,6 +3,7 @@
 
 #include "drivers/measurement/units.hpp"
 #include "drivers/recordings/tasks/recordings.hpp"
+#include "drivers/text/utc.hpp"
 #include "hil/program/commands.hpp"
 #include "hil/program/options.hpp"
 #include "hil/program/part_arguments.hpp"
@@ -41,7 +42,7 @@ void read_privacy(CutArguments& a) {
   auto& slice = a.options.slice;
   if (a.shift_s) slice.shift_time = -measurement::from_seconds(*a.shift_s);
   if (!a.start_at.empty()) {
-    slice.start_at = recordings::parse_utc(a.start_at);
+    slice.start_at = text::parse_utc(a.start_at);
     if (!slice.start_at)
       throw CLI::ValidationError("--start-at",
                                  "'" + a.start_at + "' is no time; allowed: 2020-01-01T00:00:00Z");

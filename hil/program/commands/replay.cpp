@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <memory>
@@ -20,6 +21,7 @@ namespace drydock::program {
 namespace {
 
 struct ReplayArguments {
+  std::vector<std::string> files;  ///< one recording, or captures, with a rig also NAME=FILE
   decode::ReplayOptions capture;
   replay::RigReplayOptions recording;
   PartArguments part;
@@ -33,7 +35,7 @@ void add_recording_options(CLI::App& sub, ReplayArguments& a) {
   sub.add_option(
          "--rig", r.rig,
          "another rig file: its drivers and estimators get the bytes of the devices with the "
-         "same names; default the recorded rig")
+         "same names, or those of captures; default the recorded rig")
       ->transform(rig_name);
   sub.add_option("--report", r.report, "write a page with figures and plots into this folder");
   sub.add_option("--json", r.json, "write the summary to this file");
@@ -74,11 +76,11 @@ std::optional<double> speed_of(const std::string& text) {
   return speed;
 }
 
-void read_recording(ReplayArguments& a) {
+/// The options of all that a whole rig plays.
+void read_for_rig(ReplayArguments& a) {
   auto& r = a.recording;
   if (!a.capture.protocol.empty())
-    throw CLI::ValidationError("--protocol",
-                               "the recording's rig file says what its sensors speak");
+    throw CLI::ValidationError("--protocol", "the rig file says what its sensors speak");
   const bool shared = !r.onto.empty() || !r.serve.address.empty();
   if (a.speed.empty()) a.speed = shared ? "1" : "max";
   const auto speed = speed_of(a.speed);
@@ -95,6 +97,31 @@ void read_recording(ReplayArguments& a) {
   r.part = a.part.selection();
 }
 
+/// NAME=FILE, where there is no file of the whole name.
+replay::RigCaptures::File named_file(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || rig_config::file_trouble(text).empty()) return {text};
+  return {text.substr(equals + 1), text.substr(0, equals)};
+}
+
+/// Captures that the devices of a rig read.
+void read_captures_for_rig(const CLI::App& sub, ReplayArguments& a) {
+  for (const char* option : {"--kind", "--address"})
+    if (sub.count(option) > 0)
+      throw CLI::ValidationError(option, "the rig file says it of each of its devices");
+  read_for_rig(a);
+  auto& captures = a.recording.captures;
+  captures.how = a.capture;
+  for (const auto& text : a.files) {
+    captures.files.push_back(named_file(text));
+    const auto& path = captures.files.back().path;
+    must_be_readable(path);
+    if (replay::is_recording(path))
+      throw std::runtime_error(path + ": a recording is played alone, and names its devices");
+  }
+  a.recording.recording = fmt::format("{}", fmt::join(a.files, ", "));
+}
+
 /// By its name and for want of a protocol: reading it then says what is wrong with it.
 bool says_recording(const decode::ReplayOptions& capture) {
   return capture.protocol.empty() && capture.capture.ends_with(".mcap");
@@ -103,13 +130,15 @@ bool says_recording(const decode::ReplayOptions& capture) {
 /// A capture has no rig: it uses one driver and refuses the options that need a whole rig.
 void read_capture(const CLI::App& sub, ReplayArguments& a) {
   must_be_readable(a.capture.capture);
+  if (a.files.size() > 1) throw CLI::RequiredError("--rig, whose devices read several captures,");
   if (a.capture.protocol.empty())
-    throw CLI::RequiredError("--protocol (" + a.capture.capture + " is no MCAP recording)");
+    throw CLI::RequiredError("--protocol, or --rig (" + a.capture.capture +
+                             " is no MCAP recording)");
   for (const char* option :
        {"--only", "--from", "--to", "--faults", "--step", "--record", "--check", "--update-refs",
-        "--onto", "--serve", "--rig", "--junit", "--expect"})
+        "--onto", "--serve", "--junit", "--expect"})
     if (sub.count(option) > 0)
-      throw CLI::ValidationError(option, "needs an MCAP recording, with its rig");
+      throw CLI::ValidationError(option, "needs an MCAP recording, or --rig with a capture");
   if (!a.speed.empty()) a.capture.speed = a.speed;
 }
 
@@ -127,8 +156,8 @@ void add_replay(CLI::App& app, Command& command) {
   auto a = std::make_shared<ReplayArguments>();
   auto* sub = app.add_subcommand(
       "replay",
-      "Play a recording through its rig's drivers and estimators, or a capture through one "
-      "driver: JSON Lines");
+      "Play a recording through its rig's drivers and estimators, or captures through those of "
+      "a rig or one capture through one driver: JSON Lines");
   sub->footer(
       "Example: drydock replay dive.mcap --only dvl,imu --from 10s --to 25s\n"
       "         drydock replay dive.mcap --quiet --update-refs refs.json\n"
@@ -136,9 +165,12 @@ void add_replay(CLI::App& app, Command& command) {
       "         drydock replay dive.mcap --onto dvl=pty:dvl --speed 1\n"
       "         drydock replay dive.mcap --faults F.toml\n"
       "         drydock replay dive.mcap --rig other.toml --quiet --report out --expect\n"
+      "         drydock replay can.asc dvl=dive.pd0 --rig my-rig.toml --quiet --report out\n"
       "         drydock replay dive.pd0 --protocol pd0\n"
       "         drydock replay dive.pd0 --protocol pd0 --report out > dive.jsonl");
-  sub->add_option("RECORDING", a->capture.capture, "MCAP recording, or capture of one link")
+  sub->add_option("RECORDING", a->files,
+                  "MCAP recording, or capture of one link; with --rig several captures, where "
+                  "NAME=FILE names the device that reads it")
       ->required();
   sub->add_option("--speed", a->speed,
                   "max: at once, in virtual time (default); 1: at the recording's own pace; or a "
@@ -149,21 +181,23 @@ void add_replay(CLI::App& app, Command& command) {
   add_capture(*sub, a->capture);
   sub->callback([a, sub, &command] {
     a->recording.quiet = a->capture.quiet;
-    a->recording.recording = a->capture.capture;
-    if (replay::is_recording(a->capture.capture) || says_recording(a->capture)) {
-      read_recording(*a);
+    a->recording.recording = a->capture.capture = a->files.front();
+    const bool is_recording = a->files.size() == 1 && (replay::is_recording(a->capture.capture) ||
+                                                       says_recording(a->capture));
+    if (is_recording || !a->recording.rig.empty()) {
+      is_recording ? read_for_rig(*a) : read_captures_for_rig(*sub, *a);
       command = [a] { return replay::replay_rig(a->recording, stdin, stdout, stderr); };
-    } else {
-      read_capture(*sub, *a);
-      command = [a] {
-        a->capture.description = load_protocol(a->capture.protocol);
-        const int code = decode::replay(a->capture, stdout, stderr);
-        write_summary(*a);
-        if (code == terminal::exit_failed)
-          say_what_it_looks_like(a->capture.capture, a->capture.protocol);
-        return code;
-      };
+      return;
     }
+    read_capture(*sub, *a);
+    command = [a] {
+      a->capture.description = load_protocol(a->capture.protocol);
+      const int code = decode::replay(a->capture, stdout, stderr);
+      write_summary(*a);
+      if (code == terminal::exit_failed)
+        say_what_it_looks_like(a->capture.capture, a->capture.protocol);
+      return code;
+    };
   });
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -204,6 +205,23 @@ TEST(BusConversion, OrientationWithoutRatesIsNotAnImuSample) {
   fill(message = {}, ImuSample{});
   Attitude attitude;
   EXPECT_FALSE(read(attitude, message));
+}
+
+TEST(BusConversion, ANavigationWithoutAHeightHasItsEastAndNorth) {
+  constexpr double untold = std::numeric_limits<double>::quiet_NaN();
+  Navigation navigation;
+  navigation.offset_ned = {100, 20, untold};
+  navigation.covariance.diagonal() << 1, 4, untold, 0.01, 0.04, 0.09, 1e-6, 2e-6, 3e-6;
+  OdometryMessage odometry{};
+  ASSERT_TRUE(fill(odometry, navigation));
+  EXPECT_EQ(odometry.pose.pose.position.x, 20);
+  EXPECT_EQ(odometry.pose.pose.position.y, 100);
+  EXPECT_TRUE(std::isnan(odometry.pose.pose.position.z));
+  EXPECT_EQ(odometry.pose.covariance[0], 4);
+  EXPECT_EQ(odometry.pose.covariance[7], 1);
+  NavSatFixMessage fix{};
+  ASSERT_TRUE(fill(fix, navigation));
+  EXPECT_EQ(fix.position_covariance[0], 4);
 }
 
 TEST(BusConversion, ANavigationBecomesOdometryInEnuAndFlu) {

@@ -143,6 +143,18 @@ TEST(Mistakes, ARecordingIsNoCaptureOfALine) {
                 "is a recording of a rig: drydock replay and drydock topic read it"}});
 }
 
+TEST(Mistakes, SeveralCapturesNeedTheRigThatReadsThem) {
+  const std::string pd0 = "fixtures/pd0/golden.pd0 ";
+  expect_told({
+      {"replay " + pd0 + pd0, 2, "--rig, whose devices read several captures, is required"},
+      {"replay " + pd0, 2, "--protocol, or --rig (fixtures/pd0/golden.pd0 is no MCAP recording)"},
+      {"replay " + pd0 + "--rig demo --kind dvl", 2, "the rig file says it of each of its devices"},
+      {"replay " + pd0 + dive + " --rig demo", 1, dive + ": a recording is played alone"},
+      {"replay sonar=" + pd0 + "--rig demo --quiet", 2, "no device of"},
+      {"replay dvl=" + pd0 + "--rig demo --quiet", 0, "golden.pd0 (1268 bytes): read by dvl"},
+  });
+}
+
 TEST(Mistakes, AWrongProtocolIsToldWhichOneItLooksLike) {
   expect_told({
       {"decode fixtures/pd0/golden.pd0 --protocol nmea0183", 1, "the bytes look like pd0"},

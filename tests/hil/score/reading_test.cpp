@@ -66,7 +66,7 @@ TEST(ScoreFile, WhatIsWrongIsSaidWithItsLine) {
     return read_csv(in, "a.csv", {}).error().line;
   };
   EXPECT_EQ(csv("north_m,east_m,down_m\n1,2,3\n"),
-            "a.csv:1: no column t_s or valid_at_ns; there are: north_m, east_m, down_m");
+            "a.csv:1: no column valid_at_ns or t_s or utc; there are: north_m, east_m, down_m");
   EXPECT_THAT(csv("t_s,x\x1B[2J,y,z\n1,2,3,4\n"),
               testing::AllOf(testing::HasSubstr("a.csv:1: no column of a position, an attitude or "
                                                 "a velocity: latitude_deg, longitude_deg"),

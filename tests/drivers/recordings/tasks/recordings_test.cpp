@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "drivers/recordings/tasks/fixture.hpp"
+#include "drivers/text/utc.hpp"
 #include "tests/drivers/decode/captured.hpp"
 #include "tests/drivers/recordings/sample_dive/sample_dive.hpp"
 
@@ -100,14 +101,14 @@ TEST_F(RecordingCommand, BisectKeepsTheSmallestSliceForWhichACommandFails) {
 }
 
 TEST(ParseUtc, TakesATimeOfAllItsDigits) {
-  EXPECT_EQ(parse_utc("2020-01-01T00:00:00Z"),
+  EXPECT_EQ(text::parse_utc("2020-01-01T00:00:00Z"),
             measurement::stamp_from_ns(1'577'836'800'000'000'000));
-  EXPECT_EQ(parse_utc("2020-01-01T00:00:00.25Z"),
+  EXPECT_EQ(text::parse_utc("2020-01-01T00:00:00.25Z"),
             measurement::stamp_from_ns(1'577'836'800'250'000'000));
   for (const auto* none :
        {"", "2020-01-01", "2020-13-01T00:00:00Z", "2020-01-01T24:00:00Z", "2020-01-01T00:00:00",
         "2020-01-01T00:00:00.Z", "2020-01-01T00:00:00,5Z"})
-    EXPECT_FALSE(parse_utc(none)) << none;
+    EXPECT_FALSE(text::parse_utc(none)) << none;
 }
 
 }  // namespace recordings_test
