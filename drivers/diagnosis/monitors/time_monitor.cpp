@@ -24,6 +24,8 @@ constexpr double away_s = 10;
 /// The next two messages of a stream show where its new place is.
 constexpr std::chrono::nanoseconds shortest_move = std::chrono::milliseconds{500},
                                    longest_move = std::chrono::seconds{5};
+/// No line carries twelve bytes more in less.
+constexpr std::chrono::microseconds least_move{200};
 /// A frame waits so long while the other nodes of a sound bus have their turn: some 60 frames.
 constexpr double bus_waits_s = 0.03;
 
@@ -161,8 +163,12 @@ void TimeMonitor::note_drift(const RateWatch& rate, Stamp at) {
 void TimeMonitor::watch_rate(Stream& stream, const measurement::Origin& origin,
                              const ClockWatch::News& news) {
   if (expected_.protocol.clock != wire::DeviceClock::yes || news.repeated) return;
-  if (news.backwards || stream.jumps > 0 || origin.received_at < moved_until_)
-    stream.own_rate.interrupt();
+  // What comes later step by step has no slope. The first messages of an epoch are not moved.
+  const auto late = origin.received_at.time_since_epoch() - *origin.device_time;
+  const bool moved =
+      origin.received_at < moved_until_ && std::chrono::abs(late - stream.late) > least_move;
+  stream.late = late;
+  if (news.backwards || stream.jumps > 0 || moved) stream.own_rate.interrupt();
   stream.own_rate.add(origin.received_at, *origin.device_time);
   note_drift(stream.own_rate, origin.received_at);
   if (stream.own_rate.change_ppm()) stream.clock.follow();

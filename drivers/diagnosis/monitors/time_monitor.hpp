@@ -56,10 +56,11 @@ class TimeMonitor {
     JitterWatch jitter;  ///< from the start on
     ArrivalPattern pattern;
     ClockWatch clock;
-    RateWatch rate;      ///< by the raster
-    RateWatch own_rate;  ///< by the device's own time
-    bool pause = false;  ///< messages did not come and may still do
-    bool extra = false;  ///< one came right behind another with the same values
+    std::chrono::nanoseconds late{};  ///< arrival less the own time, of the latest message
+    RateWatch rate;                   ///< by the raster
+    RateWatch own_rate;               ///< by the device's own time
+    bool pause = false;               ///< messages did not come and may still do
+    bool extra = false;               ///< one came right behind another with the same values
     Stamp pause_at{};
     std::optional<std::chrono::nanoseconds> device_time;  ///< of the latest message
     double allowed_s = 0;                                 ///< line_s_ as the raster knows it
