@@ -68,7 +68,7 @@ struct SoundSpeedOptions {
   measurement::SoundSpeedEquation equation = measurement::SoundSpeedEquation::mackenzie;
   /// Computed; empty: as the DVL tells them.
   std::optional<double> salinity_ppt, temperature_k, depth_m;
-  std::optional<double> set_mps;                 ///< that the DVL used; empty: as it tells it
+  std::optional<double> set_mps;  ///< that the DVL used; empty: as it tells it
 };
 
 struct DvlOptions {
