@@ -55,15 +55,19 @@ std::string why_no_file(const std::string& path) {
   if (fs::exists(path + ".toml", error)) return why + nearest_file(path);
   if (auto meant = did_you_mean(asked.filename().string(), names_beside(asked)); !meant.empty())
     return why + meant;
+  const std::string name = asked.stem().string();
+  std::vector<std::string> commands;
+  const std::string file = fs::path(path).replace_extension(".toml").string();
+  for (const auto kind : kinds_of_files)
+    for (const auto& shipped : shipped_files(kind))
+      if (shipped.stem() == name)
+        commands.push_back(fmt::format("`drydock example {}/{} > {}`", kind, name, file));
+  if (!commands.empty())
+    return fmt::format("{}; {} writes the one that comes with the program", why,
+                       fmt::join(commands, " or "));
   std::vector<std::string> shipped;
   add_shipped(shipped);
-  const std::string name = asked.stem().string();
-  const auto of_that_name = std::ranges::count(shipped, name);
-  if (of_that_name == 0) return why + did_you_mean(name, shipped);
-  if (of_that_name > 1) return why;  // `example` prints that of another kind
-  const std::string file = fs::path(path).replace_extension(".toml").string();
-  return fmt::format("{}; `drydock example {} > {}` writes the one that comes with the program",
-                     why, name, file);
+  return why + did_you_mean(name, shipped);
 }
 
 }  // namespace drydock::rig_config

@@ -34,15 +34,15 @@ void print_totals(std::FILE* err, const device::Health& health, const capture::T
              health.stream.bytes_skipped);
   const std::string damage = tally != nullptr ? capture::damage_text(*tally) : std::string();
   if (!damage.empty()) fmt::print(err, "{}\n", damage);
+  const auto why = health.last_error.empty() ? health.left_out.view() : health.last_error.view();
   if (health.messages > 0 && health.refused > 0)
     fmt::print(err, "left out by the driver: {} value{}; it says: {}\n", health.refused,
-               health.refused == 1 ? "" : "s", health.last_error.view());
+               health.refused == 1 ? "" : "s", why);
   if (health.messages == 0 && health.stream.frames > 0)
     fmt::print(err, "no measurement: {}\n",
-               health.last_error.view().empty()
-                   ? std::string_view("the driver uses none of the messages that came: drydock "
-                                      "decode --count lists them")
-                   : health.last_error.view());
+               why.empty() ? std::string_view("the driver uses none of the messages that came: "
+                                              "drydock decode --count lists them")
+                           : why);
 }
 
 /// Throws if the file cannot be read.

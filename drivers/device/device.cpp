@@ -188,8 +188,10 @@ void Device::send(const wire::CanFrame& frame) {
 void Device::refuse(std::string_view why, Refusal because) {
   ++refused_;
   impossible_ += because == Refusal::impossible;
-  // A good value says nothing against its device, so an error before it stays.
-  if (because != Refusal::no_measurement || last_error_.empty()) note_error(why, now_);
+  if (because == Refusal::no_measurement)
+    left_out_ = why;  // it says nothing against its device
+  else
+    note_error(why, now_);
 }
 
 const RateMeter* Device::fastest() const {
@@ -237,6 +239,7 @@ Health Device::health(Stamp now) const {
   health.link_note = link_note_;
   health.can_dropped = can_dropped_;
   health.refused = refused_;
+  health.left_out = left_out_;
   return health;
 }
 

@@ -128,6 +128,7 @@ class Device final : private Output {
   Reason last_error_;
   std::optional<Stamp> last_error_at_;
   std::uint64_t errors_ = 0;
+  Reason left_out_;
   Reason link_note_;
   std::uint64_t can_dropped_ = 0;
   std::uint64_t error_frames_ = 0;

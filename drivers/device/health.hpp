@@ -40,7 +40,8 @@ struct Health : Vitals {
   std::uint64_t errors = 0;       ///< how many so far, the last one among them
   Reason link_note;               ///< of the link, for a person; empty: none
   std::uint64_t can_dropped = 0;  ///< frames that the kernel lost on this bus
-  std::uint64_t refused = 0;      ///< values that cannot be true, or are of another instance
+  std::uint64_t refused = 0;      ///< values that were not published
+  Reason left_out;                ///< why, of the last good one; it is no error. Empty: none
 };
 
 }  // namespace drydock::device

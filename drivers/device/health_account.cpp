@@ -31,6 +31,7 @@ HealthAccount account_of(const Device& device, const Health& health,
   account.can_dropped = health.can_dropped;
   account.error_frames = health.error_frames;
   account.refused = health.refused;
+  account.left_out = health.left_out.view();
   account.last_error = health.last_error.view();
   if (health.last_error_age)
     account.last_error_age_s = measurement::seconds(*health.last_error_age);

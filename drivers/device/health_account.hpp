@@ -26,6 +26,7 @@ struct HealthAccount {
   std::uint64_t can_dropped = 0, error_frames = 0;
   std::uint64_t refused =
       0;                   ///< values that were not published: impossible, or of another instance
+  std::string left_out;    ///< of them, why the last good one; for people
   std::string last_error;  ///< empty: none so far
   std::optional<double> last_error_age_s;
   std::uint64_t errors = 0;  ///< how many so far, the last one among them

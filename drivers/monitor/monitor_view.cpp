@@ -53,7 +53,7 @@ std::string times(const DeviceView& v) {
   std::string text =
       fmt::format("  arrived {}  valid at {}  latency {}", clock_text(*v.received_at_s),
                   clock_text(*v.valid_at_s), milliseconds(v.latency_s));
-  if (v.device_time_s) text += fmt::format("  device time {:.3f} s", *v.device_time_s);
+  if (v.device_time_s) text += "  device time " + device_clock_text(*v.device_time_s);
   return text;
 }
 

@@ -55,6 +55,22 @@ std::string with_whole_paths(std::string text, const std::filesystem::path& from
   return text;
 }
 
+/// As `missions/loop`.
+std::string with_kind(const std::filesystem::path& path) {
+  return (path.parent_path().filename() / path.stem()).string();
+}
+
+/// All shipped files of that name, with or without their kind and ending, in the order of kinds.
+std::vector<std::filesystem::path> files_of(const std::string& name) {
+  std::vector<std::filesystem::path> found;
+  for (const auto kind : kinds_of_files)
+    for (const auto& path : rig_config::shipped_files(kind))
+      if (path.stem() == name || path.filename() == name || with_kind(path) == name ||
+          with_kind(path) + ".toml" == name)
+        found.push_back(path);
+  return found;
+}
+
 int nothing_shipped(std::FILE* err) {
   fmt::print(err, "example: the files that come with the program are not beside it\n");
   return terminal::exit_failed;
@@ -76,14 +92,17 @@ int list(std::FILE* out, std::FILE* err) {
 
 int show(const std::string& name, std::FILE* out, std::FILE* err) {
   if (rig_config::shipped_folder().empty()) return nothing_shipped(err);
-  for (const auto kind : kinds_of_files)
-    for (const auto& path : rig_config::shipped_files(kind)) {
-      if (path.stem() != name && path.filename() != name) continue;
-      std::ifstream in(path, std::ios::binary);
-      const std::string text{std::istreambuf_iterator<char>(in), {}};
-      fmt::print(out, "# {}\n{}", path.string(), with_whole_paths(text, path));
-      return terminal::exit_success;
-    }
+  const auto found = files_of(name);
+  if (!found.empty()) {
+    const auto& path = found.front();
+    std::ifstream in(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    fmt::print(out, "# {}\n", path.string());
+    for (std::size_t i = 1; i < found.size(); ++i)
+      fmt::print(out, "# drydock example {} prints the other of that name\n", with_kind(found[i]));
+    fmt::print(out, "{}", with_whole_paths(text, path));
+    return terminal::exit_success;
+  }
   std::vector<std::string> names;
   for (const auto kind : kinds_of_files)
     for (const auto& path : rig_config::shipped_files(kind)) names.push_back(path.stem().string());

@@ -9,7 +9,8 @@ namespace drydock::example {
 /// its file says first. Returns the exit code.
 int list(std::FILE* out, std::FILE* err);
 
-/// Prints one of them, by name. Returns the exit code.
+/// Prints one of them, by name, or by kind and name (`missions/loop`) where several kinds have one.
+/// Returns the exit code.
 int show(const std::string& name, std::FILE* out, std::FILE* err);
 
 }  // namespace drydock::example

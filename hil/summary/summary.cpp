@@ -143,6 +143,9 @@ std::string to_text(const Summary& s) {
     out += fmt::format("{:<{}} {:<10} {:<9} {:>6.2f} Hz {:>6.2f} Hz {:>10} {:>9} {:>8} {:>6}\n",
                        d.name, name, d.state, d.provenance, d.rate_hz, d.nominal_rate_hz,
                        d.messages, d.bytes_skipped, d.bad_checksums, d.reopens);
+    if (!d.left_out.empty())
+      out += fmt::format("           left out: {} values, such as: {}\n", d.refused,
+                         text::printable(d.left_out));
     if (!d.last_error.empty())
       out += fmt::format("           last error: {}\n", text::printable(d.last_error));
   }

@@ -97,11 +97,13 @@ TEST(Mistakes, AMisspelledFileIsComparedWithItsNeighbours) {
 TEST(Mistakes, AShippedFileThatARigNamesIsWrittenBesideItFirst) {
   const std::string folder = testing::TempDir();
   EXPECT_THAT(why_no_file(folder + "nps-auv-ii"),
-              EndsWith("; `drydock example nps-auv-ii > " + folder +
+              EndsWith("; `drydock example vehicles/nps-auv-ii > " + folder +
                        "nps-auv-ii.toml` writes the "
                        "one that comes with the program"));
   EXPECT_EQ(why_no_file(folder + "nps-auv-ii.toml").find("did you mean"), std::string::npos);
-  EXPECT_THAT(why_no_file(folder + "loop.toml"), EndsWith("loop.toml"));  // a rig and a mission
+  EXPECT_THAT(why_no_file(folder + "loop.toml"),
+              HasSubstr("; `drydock example rigs/loop > " + folder +
+                        "loop.toml` or `drydock example missions/loop > "));
   EXPECT_THAT(why_no_file(folder + "nps-auvii.toml"), HasSubstr("(did you mean 'nps-auv-ii'?)"));
 }
 

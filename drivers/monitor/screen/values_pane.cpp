@@ -63,7 +63,7 @@ std::string times_text(const DeviceView& d) {
   std::string text =
       fmt::format("arrived {}  valid at {}  latency {}", clock_text(*d.received_at_s),
                   clock_text(*d.valid_at_s), ms_text(d.latency_s));
-  if (d.device_time_s) text += fmt::format("  device time {:.3f} s", *d.device_time_s);
+  if (d.device_time_s) text += "  device time " + device_clock_text(*d.device_time_s);
   return text;
 }
 

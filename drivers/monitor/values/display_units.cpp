@@ -123,4 +123,10 @@ std::string clock_text(double utc_s, int decimals) {
   return text;
 }
 
+std::string device_clock_text(double device_time_s) {
+  constexpr double year_2001_s = 1e9;  // a clock since boot or since the week's begin shows less
+  if (device_time_s < year_2001_s) return fmt::format("{:.3f} s", device_time_s);
+  return clock_text(device_time_s);
+}
+
 }  // namespace drydock::monitor

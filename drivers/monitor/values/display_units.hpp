@@ -36,4 +36,7 @@ class DisplayUnits {
 /// "08:00:12.345" in UTC of seconds since 1970.
 std::string clock_text(double utc_s, int decimals = 3);
 
+/// The time of a device's own clock: as clock_text where it counts from 1970, else its seconds.
+std::string device_clock_text(double device_time_s);
+
 }  // namespace drydock::monitor

@@ -181,13 +181,14 @@ TEST(Device, RefusedValuesAreCountedAndSaid) {
   EXPECT_EQ(health.last_error.view().substr(0, 21), "a pressure below zero");
 }
 
-TEST(Device, AGoodValueThatNoMeasurementHoldsIsCountedAndHidesNoError) {
+TEST(Device, AGoodValueThatNoMeasurementHoldsIsCountedAndIsNoError) {
   Desk desk;
   const auto dvl = device(Kind::dvl, "water-linked-json", desk, true);
   const auto position = octets("{\"type\":\"position_local\",\"x\":1,\"y\":2,\"z\":3}\r\n");
   dvl->receive(position, at_s(1));
-  EXPECT_EQ(dvl->health(at_s(1)).last_error.view(),
-            "no measurement holds the DVL's dead reckoning");
+  EXPECT_EQ(dvl->health(at_s(1)).left_out.view(), "no measurement holds the DVL's dead reckoning");
+  EXPECT_TRUE(dvl->health(at_s(1)).last_error.empty());
+  EXPECT_EQ(dvl->health(at_s(1)).errors, 0U);
   dvl->receive(octets("{\"type\":\"velocity\",\"velocity_valid\":false,\"status\":1}\r\n"),
                at_s(2));
   dvl->receive(position, at_s(3));

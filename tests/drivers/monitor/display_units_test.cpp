@@ -9,6 +9,7 @@
 namespace display_units_test {
 
 using drydock::monitor::clock_text;
+using drydock::monitor::device_clock_text;
 using drydock::monitor::DisplayUnits;
 
 std::string shown(const std::string& field, double number, const std::string& units = {}) {
@@ -68,6 +69,11 @@ TEST(DisplayUnits, AnUnknownUnitIsRefusedWithTheAllowedOnes) {
 TEST(DisplayUnits, TheBillionthUnixSecondWasAtOneFortySixForty) {
   EXPECT_EQ(clock_text(1'000'000'000, 0), "01:46:40");
   EXPECT_EQ(clock_text(1'000'000'000.25), "01:46:40.250");
+}
+
+TEST(DisplayUnits, AClockThatCountsFrom1970ShowsTheTimeOfDayAndAnotherItsSeconds) {
+  EXPECT_EQ(device_clock_text(1'000'000'000.25), "01:46:40.250");
+  EXPECT_EQ(device_clock_text(547'218.5), "547218.500 s");  // of the GPS week
 }
 
 TEST(DisplayUnits, ATimeThatRoundsUpToADayIsMidnight) {

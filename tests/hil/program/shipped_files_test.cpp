@@ -72,6 +72,18 @@ TEST(ShippedFiles, TheListHasOneOfEachKindWithWhatItsFileSaysFirst) {
         << line;
 }
 
+TEST(ShippedFiles, OfTwoKindsWithOneNameEachIsPrintedByKindAndName) {
+  const Folder folder;
+  const auto rig = elsewhere(folder, "example loop"),
+             mission = elsewhere(folder, "example missions/loop");
+  EXPECT_THAT(rig.output, HasSubstr("[[device]]"));
+  EXPECT_THAT(rig.output,
+              HasSubstr("\n# drydock example missions/loop prints the other of that name"));
+  EXPECT_EQ(mission.exit_code, 0);
+  EXPECT_THAT(mission.output, HasSubstr("[mission]"));
+  EXPECT_THAT(mission.output, testing::Not(HasSubstr("[[device]]")));
+}
+
 TEST(ShippedFiles, CampaignsAndDescriptionsAreCheckedAsWhatTheyAre) {
   const Folder folder;
   EXPECT_THAT(elsewhere(folder, "check turning").output, HasSubstr("turning.toml: ok"));
