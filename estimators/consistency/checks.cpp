@@ -112,7 +112,8 @@ void Checks::doubt(Stamp at) {
 
 /// Those of devices that are sound again.
 void Checks::restart_sums() {
-  for (std::uint16_t device = 0; device < place_.size(); ++device) {
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    const auto device = static_cast<std::uint16_t>(i);
     if (!doubts_.is_over(device)) continue;
     headings_.restart_sums(device);
     heights_.restart_sums(device);

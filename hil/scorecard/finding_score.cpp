@@ -49,6 +49,7 @@ std::vector<std::string> others_accused(const rig_config::Rig& rig, const Window
     if (finding.found_s >= window.warm_up_s && !is_harmed(rig, pair, finding.device))
       accused.emplace(finding.device, finding.cause);
   std::vector<std::string> names;
+  names.reserve(accused.size());
   for (const auto& [device, cause] : accused)
     names.push_back(rig.devices[device].name + " " + std::string(diagnosis::facts_of(cause).name));
   return names;
