@@ -1,16 +1,10 @@
 #include "drivers/diagnosis/monitors/time_monitor.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 namespace drydock::diagnosis {
 namespace {
-
-/// A sound line loses, repeats or delays less than one message in 10'000. One in 20 is a fault.
-constexpr double usual = 1e-4, raised = 0.05;
-/// exp(18) messages to a false alarm; three events close together fire.
-constexpr double threshold = 18;
 
 /// What can be lost or late by a constant is told for so long, if nothing contradicts.
 constexpr std::chrono::seconds lasts{60};
@@ -18,27 +12,15 @@ constexpr std::chrono::seconds lasts{60};
 constexpr long shortest_hole = 3;
 constexpr double shortest_hole_s = 0.2, shortest_shift_s = 0.05;
 constexpr int sound_before = 20, sound_after = 6;
-constexpr int jumps_to_tell = 3;
 /// Behind such a pause a stream begins anew.
 constexpr double away_s = 10;
-/// The next two messages of a stream show where its new place is.
-constexpr std::chrono::nanoseconds shortest_move = std::chrono::milliseconds{500},
-                                   longest_move = std::chrono::seconds{5};
-/// No line carries twelve bytes more in less.
-constexpr std::chrono::microseconds least_move{200};
 /// A frame waits so long while the other nodes of a sound bus have their turn: some 60 frames.
 constexpr double bus_waits_s = 0.03;
 
 }  // namespace
 
 TimeMonitor::TimeMonitor(const Expected& expected, SymptomSink& to)
-    : expected_(expected),
-      teller_(expected.device, to),
-      gaps_(usual, raised, threshold),
-      repeats_(usual, raised, threshold),
-      swaps_(usual, raised, threshold),
-      odds_(usual, raised, threshold),
-      backwards_(usual, raised, threshold) {
+    : expected_(expected), teller_(expected.device, to), shift_(expected.line_bytes_per_second) {
   if (expected.protocol.travels == wire::Travels::as_frames) line_s_ = bus_waits_s;
 }
 
@@ -63,25 +45,23 @@ void TimeMonitor::take(std::uint32_t kind, const measurement::Origin& origin, bo
   if (stream->raster.known() && !was_known) note_first_time(stream->raster);
   last_ = at;
   if (!expected_.times_on_bus) judge(*stream, arrival, origin, same, bus);
-  watch_clock(*stream, origin, arrival.step);
+  const bool moved = stream->clock.moves(origin) && shift_.most_s(at) > 0;
+  if (moved) stream->rate.interrupt();
+  watch_clock(*stream, origin, arrival.step, moved);
 }
 
 /// Messages were lost from the start on.
 void TimeMonitor::note_first_time(const Raster& raster) {
-  if (raster.missing_share() < raised) return;
+  if (raster.missing_share() < ArrivalEvents::raised) return;
   loses_from_start_ = true;
-  while (!gaps_.fired()) gaps_.add(true, raster.first_missing());
+  events_.lost_from_the_start(raster.first_missing());
 }
 
 void TimeMonitor::note_length(std::uint32_t kind, std::uint32_t length, Stamp at) {
   Stream* const stream = stream_of(kind);
   if (stream == nullptr) return;
-  const bool changed = stream->length != 0 && stream->length != length;
+  shift_.note(stream->length, length, at, stream->raster.period_s());
   stream->length = length;
-  const auto two_periods = measurement::from_seconds(2.5 * stream->raster.period_s());
-  if (changed)
-    moved_until_ =
-        at + std::clamp<std::chrono::nanoseconds>(two_periods, shortest_move, longest_move);
 }
 
 void TimeMonitor::judge(Stream& stream, Raster::Arrival arrival, const measurement::Origin& origin,
@@ -93,7 +73,7 @@ void TimeMonitor::judge(Stream& stream, Raster::Arrival arrival, const measureme
     stream.allowed_s = line_s_;
     stream.raster.allow(line_s_);
   }
-  if (is_excused(stream, arrival, bus.held_s)) {
+  if (is_excused(stream, arrival, std::max(bus.held_s, shift_.most_s(at)))) {
     stream.raster.interrupt();
     interrupt(stream);
     last_stream_.reset();
@@ -102,7 +82,7 @@ void TimeMonitor::judge(Stream& stream, Raster::Arrival arrival, const measureme
   if (bus.now && arrival.step == Step::odd && arrival.slots < 2) arrival.step = Step::regular;
   const bool same_time = origin.device_time && origin.device_time == stream.device_time;
   stream.device_time = origin.device_time;
-  if (arrival.interval_s > away_s || at < moved_until_)
+  if (arrival.interval_s > away_s)
     interrupt(stream);
   else if (arrival.step != Step::first)
     step(stream, arrival, at, same || same_time);
@@ -110,11 +90,11 @@ void TimeMonitor::judge(Stream& stream, Raster::Arrival arrival, const measureme
   watch_order(stream, arrival.step, at);
 }
 
-/// Others held it, or the one before it.
-bool TimeMonitor::is_excused(const Stream& stream, const Raster::Arrival& arrival, double held_s) {
-  if (held_s <= 0) return false;
+/// Others held it or the one before it, or the line moved one of them, by so much.
+bool TimeMonitor::is_excused(const Stream& stream, const Raster::Arrival& arrival, double later_s) {
+  if (later_s <= 0 || !stream.raster.known()) return false;
   const double off_s = std::abs(arrival.interval_s - stream.raster.period_s());
-  return arrival.step != Step::regular && off_s <= held_s + stream.raster.tolerance_s();
+  return arrival.step != Step::regular && off_s <= later_s + stream.raster.tolerance_s();
 }
 
 /// Two messages of one time that changed places are late by less than the raster tolerates. But one
@@ -127,12 +107,8 @@ void TimeMonitor::watch_order(Stream& stream, Step step, Stamp at) {
   if (!stream.raster.known()) {
     stream.followed |= bit;
   } else if ((stream.followed & bit) == 0 && step == Step::regular) {
-    swaps_.add(true, at);
-    note(Happened::swap);
-    // A lost message looks the same at first; then its own stream has a gap.
-    if (swaps_.fired() && lately(Happened::swap) > 3 * lately(Happened::gap) + 2)
-      teller_.tell(Sign::swapped, swaps_.since(), at,
-                   {swaps_.sum(), threshold, "log-likelihood of messages out of order", ""});
+    events_.swap(at);
+    events_.tell_order(teller_, at);
   }
 }
 
@@ -159,44 +135,13 @@ void TimeMonitor::note_drift(const RateWatch& rate, Stamp at) {
          {*change, rate.limit_ppm(), "change of its clock's rate", "ppm"});
 }
 
-/// A clock that drifts needs no raster to be seen. What has added up is no jump.
-void TimeMonitor::watch_rate(Stream& stream, const measurement::Origin& origin,
-                             const ClockWatch::News& news) {
-  if (expected_.protocol.clock != wire::DeviceClock::yes || news.repeated) return;
-  // What comes later step by step has no slope. The first messages of an epoch are not moved.
-  const auto late = origin.received_at.time_since_epoch() - *origin.device_time;
-  const bool moved =
-      origin.received_at < moved_until_ && std::chrono::abs(late - stream.late) > least_move;
-  stream.late = late;
-  if (news.backwards || stream.jumps > 0 || moved) stream.own_rate.interrupt();
-  stream.own_rate.add(origin.received_at, *origin.device_time);
-  note_drift(stream.own_rate, origin.received_at);
-  if (stream.own_rate.change_ppm()) stream.clock.follow();
-}
-
-void TimeMonitor::note(Happened what) {
-  for (std::size_t i = 0; i < history_.size(); ++i)
-    history_[i] = history_[i] << 1 | (i == static_cast<std::size_t>(what) ? 1U : 0U);
-}
-
-int TimeMonitor::lately(Happened what) const {
-  return std::popcount(history_[static_cast<std::size_t>(what)]);
-}
-
-void TimeMonitor::nothing_happened(Stamp at) {
-  note(Happened::nothing);
-  for (EventTest* test : {&gaps_, &repeats_, &swaps_, &odds_, &backwards_}) test->add(false, at);
-}
-
 void TimeMonitor::regular(Stream& stream, Stamp at) {
   if (stream.pause && stream.owed > 0) {
-    gaps_.add(true, stream.pause_at);
-    note(Happened::gap);
+    events_.gap(stream.pause_at);
   } else if (stream.extra) {
-    repeats_.add(true, at);
-    note(Happened::repeat);
+    events_.repeat(at);
   } else {
-    nothing_happened(at);
+    events_.nothing(at);
   }
   stream.pause = stream.extra = false;
   if (++stream.regular != sound_after || stream.hole_s == 0) return;
@@ -209,10 +154,9 @@ void TimeMonitor::regular(Stream& stream, Stamp at) {
 
 void TimeMonitor::pause(Stream& stream, const Raster::Arrival& arrival, Stamp at) {
   if (stream.pause && stream.owed > 0) {
-    gaps_.add(true, stream.pause_at);
-    note(Happened::gap);
+    events_.gap(stream.pause_at);
   }
-  if (arrival.step == Step::odd) odd(at);
+  if (arrival.step == Step::odd) events_.odd(at);
   stream.extra = false;
   const double late_s = arrival.interval_s - stream.raster.period_s();
   const bool hole = arrival.step == Step::odd
@@ -231,42 +175,25 @@ void TimeMonitor::crowded(Stream& stream, Stamp at, bool same) {
   const bool held = stream.owed > 0;
   if (held) {
     if (stream.pause && stream.owed == 1) {
-      swaps_.add(true, at);
-      note(Happened::swap);
+      events_.swap(at);
     }
     --stream.owed;
     late_.on = false;
   } else if (same) {
     stream.extra = true;  // unless the raster was left
   } else {
-    odd(at);
+    events_.odd(at);
   }
   stream.pause = false;
   stream.hole_s = 0;
   stream.regular = 0;
 }
 
-void TimeMonitor::odd(Stamp at) {
-  odds_.add(true, at);
-  note(Happened::odd);
-}
-
 void TimeMonitor::tell_pattern(Stream& stream, Stamp at) {
-  const auto tell = [&](Sign sign, const EventTest& test, std::string_view what) {
-    if (test.fired()) teller_.tell(sign, test.since(), at, {test.sum(), threshold, what, ""});
-  };
   if (stream.pattern.bunched())
     teller_.tell(Sign::bunched, at - measurement::from_seconds(stream.pattern.pauses_s()), at,
                  {1, 0, "pauses of one length", ""});
-  // A repeated or held message also pushes others off the raster; more of those is something else.
-  const int odd = lately(Happened::odd);
-  if (lately(Happened::repeat) >= odd)
-    tell(Sign::repeated, repeats_, "log-likelihood of repeated messages");
-  if (lately(Happened::swap) >= std::max(odd, 3 * lately(Happened::gap)))
-    tell(Sign::swapped, swaps_, "log-likelihood of messages one place late");
-  if (odd > std::max(lately(Happened::repeat), lately(Happened::swap)))
-    tell(Sign::irregular, odds_, "log-likelihood of messages off the raster");
-  tell(Sign::gaps, gaps_, "log-likelihood of lost messages");
+  events_.tell(teller_, at);
 }
 
 void TimeMonitor::tell_rate(Stream& stream, Stamp at) {
@@ -278,35 +205,17 @@ void TimeMonitor::tell_rate(Stream& stream, Stamp at) {
                  {1 / period_s / slower, 1 / period_s, "rate", "Hz"});
 }
 
-void TimeMonitor::watch_clock(Stream& stream, const measurement::Origin& origin, Step step) {
-  if (!origin.device_time) return;
+void TimeMonitor::watch_clock(Stream& stream, const measurement::Origin& origin, Step step,
+                              bool moved) {
   const Stamp at = origin.received_at;
-  const auto news = stream.clock.add(*origin.device_time, at, origin.valid_at);
-  watch_rate(stream, origin, news);
-  // A message that comes again says nothing about the clock.
-  if (news.repeated) return;
-  if (news.backwards) backwards_.add(true, at);
-  if (news.backwards && backwards_.fired())
-    teller_.tell(Sign::time_backwards, backwards_.since(), at,
-                 {backwards_.sum(), threshold, "log-likelihood of times that go back", ""});
-  if (at < moved_until_) stream.clock.accept();
-  // Held messages that come together are late by less and less: that is no delay that stays.
-  const bool was_held = step == Step::crowded && news.jump_s > 0;
-  if (news.jump_s == 0 || was_held || at < moved_until_) {
-    stream.jumps = 0;
-    stream.late_by_clock = false;
-    return;
+  const bool has_clock = expected_.protocol.clock == wire::DeviceClock::yes;
+  const auto news = stream.clock.add(origin, step, shift_.most_s(at), moved, has_clock);
+  if (origin.device_time && has_clock && !news.repeated) note_drift(stream.clock.rate(), at);
+  if (news.backwards) {
+    events_.backwards(at);
+    events_.tell_backwards(teller_, at);
   }
-  if (stream.jumps++ == 0) {
-    stream.jump_since = at;
-    const bool after_pause = step == Step::missing || step == Step::odd;
-    stream.late_by_clock = news.jump_s > 0 && (after_pause || news.aged);
-  }
-  if (stream.jumps < jumps_to_tell) return;
-  const Amount amount{news.jump_s, stream.clock.limit_s(), "arrival against its own time", "s"};
-  const bool late = stream.late_by_clock && news.jump_s > 0;
-  teller_.tell(late ? Sign::late : Sign::clock_step, stream.jump_since, at, amount);
-  if (at - stream.jump_since > lasts) stream.clock.accept();
+  if (news.sign) teller_.tell(*news.sign, news.since, at, news.amount);
 }
 
 void TimeMonitor::last(Lasting& sign, Stamp since, Stamp now, const Amount& amount) {

@@ -2,12 +2,13 @@
 
 #include <boost/container/static_vector.hpp>
 
+#include "drivers/diagnosis/monitors/arrival_events.hpp"
 #include "drivers/diagnosis/monitors/arrival_pattern.hpp"
-#include "drivers/diagnosis/monitors/clock_watch.hpp"
-#include "drivers/diagnosis/monitors/event_test.hpp"
 #include "drivers/diagnosis/monitors/expected.hpp"
 #include "drivers/diagnosis/monitors/jitter_watch.hpp"
+#include "drivers/diagnosis/monitors/line_shift.hpp"
 #include "drivers/diagnosis/monitors/rate_watch.hpp"
+#include "drivers/diagnosis/monitors/stream_clock.hpp"
 #include "drivers/diagnosis/monitors/teller.hpp"
 #include "drivers/measurement/measurement.hpp"
 
@@ -20,13 +21,14 @@ class TimeMonitor {
   /// The sink must outlive the monitor.
   TimeMonitor(const Expected& expected, SymptomSink& to);
 
-  /// `stream`: number of the kind of message (stream_of). `same`: all values are those of the
-  /// message before in that stream.
-  /// Of a bus that had no pause, so that the message may be late.
+  /// A bus that had no pause, so that the message may be late.
   struct Busy {
     bool now = false;
     double held_s = 0;  ///< by other nodes, for longer than ever in the first time
   };
+
+  /// `stream`: number of the kind of message (stream_of). `same`: all values are those of the
+  /// message before in that stream.
   void take(std::uint32_t stream, const measurement::Origin& origin, bool same, const Busy& bus);
   void take(std::uint32_t stream, const measurement::Origin& origin, bool same) {
     take(stream, origin, same, {});
@@ -55,12 +57,10 @@ class TimeMonitor {
     Raster raster;
     JitterWatch jitter;  ///< from the start on
     ArrivalPattern pattern;
-    ClockWatch clock;
-    std::chrono::nanoseconds late{};  ///< arrival less the own time, of the latest message
-    RateWatch rate;                   ///< by the raster
-    RateWatch own_rate;               ///< by the device's own time
-    bool pause = false;               ///< messages did not come and may still do
-    bool extra = false;               ///< one came right behind another with the same values
+    StreamClock clock;
+    RateWatch rate;      ///< by the raster
+    bool pause = false;  ///< messages did not come and may still do
+    bool extra = false;  ///< one came right behind another with the same values
     Stamp pause_at{};
     std::optional<std::chrono::nanoseconds> device_time;  ///< of the latest message
     double allowed_s = 0;                                 ///< line_s_ as the raster knows it
@@ -68,11 +68,7 @@ class TimeMonitor {
     int regular = 0;    ///< in a row
     int before = 0;     ///< regular ones in a row before the last pause
     double hole_s = 0;  ///< how much later than the raster the pause ended
-    int jumps = 0;      ///< messages in a row whose clock is off
-    Stamp jump_since{};
-    bool late_by_clock = false;
   };
-  enum class Happened : std::uint8_t { odd, repeat, swap, gap, nothing };
   struct Lasting {
     bool on = false;
     Stamp since{}, until{};
@@ -88,30 +84,24 @@ class TimeMonitor {
   static void interrupt(Stream& stream);
   void judge(Stream& stream, Raster::Arrival arrival, const measurement::Origin& origin, bool same,
              const Busy& bus);
-  static bool is_excused(const Stream& stream, const Raster::Arrival& arrival, double held_s);
+  static bool is_excused(const Stream& stream, const Raster::Arrival& arrival, double later_s);
   void watch_order(Stream& stream, Step step, Stamp at);
-  void nothing_happened(Stamp at);
-  void odd(Stamp at);
-  void note(Happened what);
-  int lately(Happened what) const;  ///< of the last 64 messages
   void tell_pattern(Stream& stream, Stamp at);
   void tell_rate(Stream& stream, Stamp at);
-  void watch_rate(Stream& stream, const measurement::Origin& origin, const ClockWatch::News& news);
-  void watch_clock(Stream& stream, const measurement::Origin& origin, Step step);
+  void watch_clock(Stream& stream, const measurement::Origin& origin, Step step, bool moved);
   void note_drift(const RateWatch& rate, Stamp at);
   void last(Lasting& sign, Stamp since, Stamp now, const Amount& amount);
 
   Expected expected_;
   Teller teller_;
   boost::container::static_vector<Stream, 12> streams_;
-  EventTest gaps_, repeats_, swaps_, odds_, backwards_;
+  ArrivalEvents events_;
+  LineShift shift_;
   Lasting late_, drifting_;
   Stamp last_{};                            ///< the latest message
   std::optional<std::size_t> last_stream_;  ///< index of its stream; empty: it says nothing
   bool loses_from_start_ = false;
-  Stamp moved_until_{};                     ///< the times of messages find a new place
-  double line_s_ = 0;                       ///< what the line may add to an interval
-  std::array<std::uint64_t, 4> history_{};  ///< one bit a message for each Happened
+  double line_s_ = 0;  ///< what the line may add to an interval
 };
 
 }  // namespace drydock::diagnosis

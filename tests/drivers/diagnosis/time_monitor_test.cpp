@@ -237,7 +237,8 @@ struct ReceiverOnALine : testing::Test {
   explicit ReceiverOnALine(std::string_view protocol = "nmea0183")
       : monitor({.kind = measurement::Kind::gnss,
                  .protocol = *wire::find_protocol(protocol),
-                 .nominal_rate_hz = 1},
+                 .nominal_rate_hz = 1,
+                 .line_bytes_per_second = 960},
                 signs) {}
   void SetUp() override { for_seconds(60, 0.5, 1); }
   void for_seconds(int seconds, double after_s, std::uint32_t length) {
@@ -279,6 +280,35 @@ TEST_F(UbxOnALine, IsSoonerUnderWaterAndThatIsNoSign) {
     for_satellites(30, 10);
   }
   EXPECT_TRUE(signs.all.empty());
+}
+
+/// A real sky: a satellite comes or goes every three seconds, 12.5 ms on this line.
+struct UbxUnderARealSky : UbxOnALine {
+  void SetUp() override { for_satellites(90, 10); }
+  void for_changes(int changes, double late_s = 0, bool loses = false) {
+    for (int i = 0; i < changes; ++i) {
+      const std::uint32_t satellites = 9 + i % 2;
+      if (loses) now += 1;
+      for_seconds(3, 0.03 + satellites * satellite_s + late_s, 3 + satellites);
+    }
+  }
+};
+
+TEST_F(UbxUnderARealSky, HasNoSign) {
+  for_changes(1000);
+  EXPECT_TRUE(signs.all.empty());
+}
+
+TEST_F(UbxUnderARealSky, IsLateAllTheSame) {
+  for_changes(10);
+  for_changes(10, 0.8);
+  EXPECT_TRUE(signs.has(Sign::late) || signs.has(Sign::clock_step));
+}
+
+TEST_F(UbxUnderARealSky, LosesMessagesAllTheSame) {
+  for_changes(10);
+  for_changes(10, 0, true);
+  EXPECT_TRUE(signs.has(Sign::gaps));
 }
 
 TEST_F(UbxOnALine, DriftsIfItsClockDoesAfterAllSatellitesAreFound) {
