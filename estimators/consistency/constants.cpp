@@ -23,6 +23,14 @@ constexpr double sure = 6;                     // sigmas
 constexpr double fewest = 12;                  // windows
 constexpr double slowest_for_scale_mps = 0.5;  // below it noise looks like speed
 
+/// What is below two sigmas is noise of the first windows: of that nothing is taken off, of more
+/// nearly all (the positive part of James and Stein's estimate).
+double without_noise(double value, double sigma) {
+  constexpr double noise = 2;  // sigmas
+  const double share = noise * sigma / value;
+  return std::abs(share) < 1 ? value * (1 - share * share) : 0;
+}
+
 bool is_told(double value, double sigma, double least) {
   return std::abs(value) > std::max(least, sure * sigma);
 }
@@ -79,6 +87,7 @@ void Constants::end(Dvl& dvl, const Depth& depth) const {
     dvl.vertical.add((depth.m - sums.depth_m - sums.down_m) / seconds, sums.terms_s / seconds,
                      depth.late_s * std::hypot(sums.begun_mps, sums.last_mps) / seconds);
     const auto& fit = dvl.constant = dvl.vertical.solve();
+    for (int k = 0; k < 3; ++k) dvl.known[k] = without_noise(fit.value[k], fit.sigma(k));
     dvl.tilts_told = dvl.tilts_told ? std::abs(fit.value[2]) > least_tilt / 2
                                     : dvl.vertical.count() > fewest &&
                                           is_told(fit.value[2], fit.sigma(2), least_tilt);

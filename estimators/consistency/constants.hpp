@@ -31,7 +31,7 @@ class Constants {
   /// What a DVL's velocity down lacks by these errors, as far as they are known now, m/s.
   double missing_down(std::size_t dvl, const Eigen::Vector3d& velocity,
                       const Eigen::Vector3d& down) const {
-    return dvls_[dvl].constant.value.dot(terms(velocity, down));
+    return dvls_[dvl].known.dot(terms(velocity, down));
   }
 
   /// Repeats the signs that last. `scales`: no third sensor has told whose speed is off.
@@ -59,8 +59,9 @@ class Constants {
     bool tilts_told = false;  ///< then half of it is told still
     ConstantFit<3> vertical;
     ConstantFit<1> scale;
-    ConstantFit<3>::Answer constant{};  ///< of `vertical`, as of its last window
-    ConstantFit<1>::Answer factor{};    ///< of `scale`
+    ConstantFit<3>::Answer constant{};                ///< of `vertical`, as of its last window
+    Eigen::Vector3d known = Eigen::Vector3d::Zero();  ///< of it, what is no noise
+    ConstantFit<1>::Answer factor{};                  ///< of `scale`
   };
 
   static constexpr double unknown_latency_s = 0.14;  ///< 0.1 s of each of the two
