@@ -86,13 +86,12 @@ void NortekAd2cpDriver::on(const SignatureBottomTrack& record, const Arrival& ar
 
 /// The clock of a record shows its trigger; the echo came later.
 Origin NortekAd2cpDriver::origin_of(const Ad2cpSolution& solution, const BottomTrack& record,
-                                    const Arrival& arrival) const {
-  const auto age = age_of(solution);
+                                    const Arrival& arrival) {
+  const auto age = echo_.age(age_of(solution));
   Origin origin = age ? timing_.of_bytes(arrival, *age) : timing_.of_bytes(arrival);
   if (record.clock)
     origin.device_time =
-        *record.clock +
-        within_a_ping(solution.after_trigger_s).value_or(std::chrono::nanoseconds{0});
+        *record.clock + echo_.after_trigger(within_a_ping(solution.after_trigger_s));
   return origin;
 }
 

@@ -4,6 +4,7 @@
 
 #include "drivers/device/dvl/ad2cp_solution.hpp"
 #include "drivers/device/dvl/dvl_finish.hpp"
+#include "drivers/device/dvl/echo_times.hpp"
 #include "drivers/device/stream_driver.hpp"
 #include "drivers/wire/dvl/nortek_ad2cp.hpp"
 
@@ -27,11 +28,12 @@ class NortekAd2cpDriver final : public StreamDriver<wire::NortekAd2cp::max_frame
   void on(const wire::ad2cp::BottomTrack& record, const Arrival& arrival, Output& out);
   void on(const wire::ad2cp::SignatureBottomTrack& record, const Arrival& arrival, Output& out);
   Origin origin_of(const Ad2cpSolution& solution, const wire::ad2cp::BottomTrack& record,
-                   const Arrival& arrival) const;
+                   const Arrival& arrival);
   void heed(std::string_view trouble, Output& out);
 
   Mounting mounting_;
   DvlFinish finish_;
+  EchoTimes echo_;
   std::string_view trouble_;
 };
 

@@ -18,10 +18,11 @@ std::optional<std::chrono::nanoseconds> age_of(const wire::NortekTimes& times) {
   return in_ns(age_s);
 }
 
-/// The sentence shows the time of its trigger; the echo came later. Zero: it does not say when.
-std::chrono::nanoseconds echo_after_trigger(const wire::NortekTimes& times) {
-  const double after_s = times.after_trigger_s.value_or(0);
-  return after_s >= 0 && after_s <= oldest_echo_s ? in_ns(after_s) : in_ns(0);
+/// The sentence shows the time of its trigger; the echo came later. Empty: it does not say when.
+std::optional<std::chrono::nanoseconds> echo_after_trigger(const wire::NortekTimes& times) {
+  const double after_s = times.after_trigger_s.value_or(-1);
+  if (!(after_s >= 0 && after_s <= oldest_echo_s)) return {};
+  return in_ns(after_s);
 }
 
 /// Seconds of 32 bits, since 1970 or since the start: no clock of a DVL shows anything else.
@@ -33,14 +34,14 @@ void NortekDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& o
   const auto message = wire::Nortek::decode(frame);
   const auto* velocity = message ? std::get_if<wire::NortekVelocity>(&*message) : nullptr;
   if (!velocity) return;
-  const auto age = age_of(*velocity);
+  const auto age = echo_.age(age_of(*velocity));
   publish(*velocity, age ? timing_.of_bytes(arrival, *age) : timing_.of_bytes(arrival), out);
 }
 
 void NortekDriver::publish(const wire::NortekVelocity& sentence, Origin origin, Output& out) {
   measurement::BottomVelocity result;
   if (const auto time_s = sentence.ping_time_s; time_s && is_clock_time(*time_s))
-    origin.device_time = in_ns(*time_s) + echo_after_trigger(sentence);
+    origin.device_time = in_ns(*time_s) + echo_.after_trigger(echo_after_trigger(sentence));
   else if (time_s)
     out.refuse("a ping time that no clock has was left out");
   result.origin = origin;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/device/dvl/dvl_finish.hpp"
+#include "drivers/device/dvl/echo_times.hpp"
 #include "drivers/device/stream_driver.hpp"
 #include "drivers/wire/dvl/nortek.hpp"
 
@@ -21,6 +22,7 @@ class NortekDriver final : public StreamDriver<wire::Nortek::max_frame> {
 
   Mounting mounting_;
   DvlFinish finish_;
+  EchoTimes echo_;
 };
 
 }  // namespace drydock::device

@@ -164,6 +164,18 @@ TEST(NortekAd2cpDriver, TheDevicesTimeIsThatOfTheEcho) {
   EXPECT_EQ(*m.origin.device_time, clock + 31250us);
 }
 
+TEST(NortekAd2cpDriver, WithoutBottomTheLatestTimesOfAnEchoHold) {
+  const auto driver = byte_driver(options(Kind::dvl, "nortek-ad2cp"));
+  Ear ear;
+  driver->receive(record_1b({.after_trigger = 0.03125, .after_output = -0.125}), at_s(1), ear);
+  driver->receive(record_1b({.velocity = {none, none, none, none}}), at_s(1), ear);
+  const auto all = ear.all<BottomVelocity>();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_FALSE(all[1].velocity);
+  EXPECT_EQ(all[1].origin.device_time, all[0].origin.device_time);
+  EXPECT_EQ(all[1].origin.valid_at, at_s(1) - 125ms);
+}
+
 TEST(NortekAd2cpDriver, AnErrorOfTheDvlIsSaid) {
   const auto ear = hear(record_1b({.error = 8}));
   EXPECT_EQ(ear.reports.size(), 1u);
