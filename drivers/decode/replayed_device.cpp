@@ -42,7 +42,7 @@ Kind kind_of(const ReplayOptions& options) {
 }
 
 link::Uri uri_of(const ReplayOptions& options) {
-  std::string text = "file:" + options.capture + "?speed=" + options.speed;
+  std::string text = link::file_uri(options.capture) + "?speed=" + options.speed;
   if (options.baud > 0) text += fmt::format("&baud={}", options.baud);
   if (options.bitrate > 0) text += fmt::format("&bitrate={}", options.bitrate);
   if (options.data_bitrate > 0) text += fmt::format("&data_bitrate={}", options.data_bitrate);

@@ -103,12 +103,39 @@ const Form* find_form(std::string_view name) {
   return nullptr;
 }
 
+/// A % without two hexadecimal digits stands for itself.
+std::string without_escapes(std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned char byte = 0;
+    const char* const end = text.data() + std::min(i + 3, text.size());
+    if (text[i] == '%' &&
+        std::from_chars(text.data() + i + 1, end, byte, 16).ptr == text.data() + i + 3) {
+      plain += static_cast<char>(byte);
+      i += 2;
+    } else {
+      plain += text[i];
+    }
+  }
+  return plain;
+}
+
 }  // namespace
 
 std::string allowed_schemes() {
   std::string names;
   for (const Form& form : uri_forms()) names += (names.empty() ? "" : " ") + std::string(form.name);
   return names;
+}
+
+std::string file_uri(std::string_view path) {
+  std::string text = "file:";
+  for (const char c : path)
+    if (c == '?' || c == '%')
+      text += c == '?' ? "%3F" : "%25";
+    else
+      text += c;
+  return text;
 }
 
 boost::system::result<Uri, UriError> parse_uri(std::string_view text) {
@@ -135,6 +162,7 @@ boost::system::result<Uri, UriError> parse_uri(std::string_view text) {
     uri.target = name == uri.query.end() ? "vcan0" : name->second;
   else
     uri.target = address.substr(colon + 1);
+  if (uri.recorded()) uri.target = without_escapes(uri.target);
   if (!form->valid_target(uri.target))
     return wrong(text, std::string(form->name) + " needs " + std::string(form->target) +
                            ", for example " + std::string(form->example));

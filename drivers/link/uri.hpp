@@ -70,6 +70,10 @@ struct UriError {
 /// Parses and checks a URI.
 boost::system::result<Uri, UriError> parse_uri(std::string_view text);
 
+/// The URI of a file, without keys. `?` begins the keys, so a file's name has it as %3F, and % as
+/// %25 (RFC 3986, 2.1).
+std::string file_uri(std::string_view path);
+
 /// The same bus with `listen=1`. A byte link stays as it is.
 Uri listening(Uri uri);
 

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "drivers/link/uri.hpp"
+
 namespace drydock::probe {
 namespace {
 
@@ -32,7 +34,7 @@ std::string path_link(const typed_fs::path& path) {
   const auto absolute = typed_fs::absolute(path).lexically_normal().string();
   if (real.string().starts_with("/dev/pts/")) return "pty:" + absolute;
   if (typed_fs::is_character_file(real, gone)) return "serial:" + absolute;
-  return typed_fs::is_regular_file(real, gone) ? "file:" + absolute : path.string();
+  return typed_fs::is_regular_file(real, gone) ? link::file_uri(absolute) : path.string();
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "drivers/capture/line_file.hpp"
+#include "drivers/link/uri.hpp"
 #include "drivers/probe/probe_report.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/printable.hpp"
@@ -54,7 +55,7 @@ int of_capture(const std::string& file, bool json, std::FILE* out) {
   }
   if (!json && on_bus) fmt::print(out, "{}", to_text(*frames));
   if (!json && !lines.empty()) fmt::print(out, "{}", to_text(file, lines));
-  const auto heard = probe::find_sensors("file:" + file + "?speed=max", 0);
+  const auto heard = probe::find_sensors(link::file_uri(file) + "?speed=max", 0);
   if (!on_bus && lines.empty() && !json)
     fmt::print(out, "{}: {} bytes of a line{}\n", text::printable(file),
                std::filesystem::file_size(file), capture::has_times(file) ? "" : ", without times");

@@ -31,7 +31,7 @@ std::vector<CapturePart> all_parts(const RigCaptures& captures) {
 std::string link_of(const decode::ReplayOptions& how, const CapturePart& part,
                     const std::string& own_link) {
   const auto own = link::parse_uri(own_link).value();
-  std::string text = "file:" + part.file;
+  std::string text = link::file_uri(part.file);
   char before = '?';
   const auto add = [&](std::string_view key, std::string_view value) {
     if (value.empty() || value == "0" || value == "auto") return;

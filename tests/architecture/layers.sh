@@ -86,7 +86,7 @@ hil/compare                drivers/diagnosis hil/track hil/replay hil/bench hil/
 hil/twin                   hil/track hil/replay hil/characterize hil/bench hil/check hil/report hil/motion hil/ocean hil/sensor estimators/smoothing estimators/frame drivers/recordings/record drivers/host drivers/link drivers/text drivers/terminal drivers/wire/protocols drivers/measurement rig_config
 hil/scorecard              drivers/diagnosis estimators/host hil/bench hil/summary hil/study hil/study/run hil/report hil/motion estimators/pipeline estimators/frame drivers/device drivers/link drivers/terminal drivers/measurement rig_config
 hil/endurance              drivers/diagnosis hil/motion hil/bench hil/summary hil/validity hil/validity/run hil/report hil/fault drivers/text drivers/link drivers/terminal rig_config
-hil/info                   drivers/recordings/record drivers/recordings/mcap drivers/bus drivers/capture drivers/probe drivers/survey drivers/text drivers/terminal drivers/measurement rig_config
+hil/info                   drivers/recordings/record drivers/recordings/mcap drivers/bus drivers/capture drivers/link drivers/probe drivers/survey drivers/text drivers/terminal drivers/measurement rig_config
 hil/topic                  hil/replay/reference drivers/recordings/record drivers/recordings/mcap drivers/host drivers/bus drivers/io drivers/text drivers/terminal drivers/measurement rig_config
 hil/example                drivers/terminal rig_config
 hil/world                  hil/report hil/sky hil/sensor hil/motion estimators/frame drivers/measurement drivers/text drivers/terminal rig_config

@@ -21,6 +21,16 @@ TEST(Uri, NamesSchemeTargetAndKeys) {
   EXPECT_EQ(uri.bitrate(), std::nullopt);
 }
 
+TEST(Uri, OfAFileHasItsQuestionMarksEscapedAndGivesTheNameBack) {
+  EXPECT_EQ(file_uri("a?b&c 100%.pd0"), "file:a%3Fb&c 100%25.pd0");
+  for (const std::string name : {"a?b&c 100%.pd0", "%3F", "%", "dive.log", "50%4"}) {
+    const Uri uri = parse_uri(file_uri(name) + "?speed=max&baud=9600").value();
+    EXPECT_EQ(uri.target, name);
+    EXPECT_EQ(uri.baud(), 9600U);
+  }
+  EXPECT_EQ(parse_uri("file:100%.log?baud=9600").value().target, "100%.log") << "as people type it";
+}
+
 TEST(Uri, TellsBytesFromFrames) {
   for (const char* text :
        {"serial:/dev/ttyS0?baud=9600", "pty:x", "tcp:h:1", "udp:h:1", "file:f", "memory:m"})
