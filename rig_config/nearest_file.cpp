@@ -47,7 +47,7 @@ std::string nearest_file(const std::string& path) {
   return meant;
 }
 
-std::string why_no_file(const std::string& path) {
+std::string why_no_file(const std::string& path, std::string_view kind) {
   std::error_code error;
   if (fs::is_directory(path, error)) return path + " is a folder, not a file";
   const std::string why = "there is no file " + path;
@@ -56,18 +56,12 @@ std::string why_no_file(const std::string& path) {
   if (auto meant = did_you_mean(asked.filename().string(), names_beside(asked)); !meant.empty())
     return why + meant;
   const std::string name = asked.stem().string();
-  std::vector<std::string> commands;
-  const std::string file = fs::path(path).replace_extension(".toml").string();
-  for (const auto kind : kinds_of_files)
-    for (const auto& shipped : shipped_files(kind))
-      if (shipped.stem() == name)
-        commands.push_back(fmt::format("`drydock example {}/{} > {}`", kind, name, file));
-  if (!commands.empty())
-    return fmt::format("{}; {} writes the one that comes with the program", why,
-                       fmt::join(commands, " or "));
   std::vector<std::string> shipped;
-  add_shipped(shipped);
-  return why + did_you_mean(name, shipped);
+  for (const auto& one : kind.empty() ? std::vector<fs::path>() : shipped_files(kind))
+    shipped.push_back(one.stem().string());
+  if (std::ranges::find(shipped, name) == shipped.end()) return why + did_you_mean(name, shipped);
+  return fmt::format("{}; `drydock example {}/{} > {}` writes the one that comes with the program",
+                     why, kind, name, fs::path(path).replace_extension(".toml").string());
 }
 
 }  // namespace drydock::rig_config

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace drydock::rig_config {
 
@@ -10,7 +11,8 @@ namespace drydock::rig_config {
 std::string nearest_file(const std::string& path);
 
 /// Why the file that a rig or mission names cannot be it, and what to do: a folder, a misspelt
-/// name, or a shipped file, which has to be written beside it first. Precondition: it is no file.
-std::string why_no_file(const std::string& path);
+/// name, or a shipped file of its kind (shipped.hpp; empty: none is shipped), which has to be
+/// written beside it first. Precondition: it is no file.
+std::string why_no_file(const std::string& path, std::string_view kind);
 
 }  // namespace drydock::rig_config

@@ -4,6 +4,7 @@
 
 #include "rig_config/checks/checks.hpp"
 #include "rig_config/nearest_file.hpp"
+#include "rig_config/shipped.hpp"
 
 namespace drydock::rig_config {
 
@@ -33,7 +34,7 @@ class MissionChecks {
     }
     if (bed_kind_ == "raster") raster_exists();
     if (const Node* track = root_.find("track"))
-      if (const Node* file = track->find_text("file")) exists(*file, "/track/file");
+      if (const Node* file = track->find_text("file")) exists(*file, "/track/file", {});
     if (ocean_) depths_rise(*ocean_, "current", "/ocean/current");
     const Node* water = ocean_ ? ocean_->find("water") : nullptr;
     if (water) depths_rise(*water, "layer", "/ocean/water/layer");
@@ -75,7 +76,7 @@ class MissionChecks {
   /// The file of the vehicle must exist. A turning circle needs a vehicle; a prescribed heel is not
   /// allowed with a vehicle.
   void vehicle_fits(const Node* vehicle) {
-    if (vehicle) exists(*vehicle, "/mission/vehicle");
+    if (vehicle) exists(*vehicle, "/mission/vehicle", vehicles);
     for_each_table(root_, "leg", [&](const Node& leg, std::size_t i) {
       const Node* kind = leg.find_text("kind");
       if (!vehicle && kind && kind->text == "turning_circle")
@@ -89,14 +90,15 @@ class MissionChecks {
   }
 
   void raster_exists() {
-    if (const Node* file = bed_->find_text("file")) exists(*file, "/ocean/bed/file");
+    if (const Node* file = bed_->find_text("file")) exists(*file, "/ocean/bed/file", {});
   }
 
-  void exists(const Node& file, const std::string& path) {
+  /// `kind`: of the shipped files that it may be; empty: none.
+  void exists(const Node& file, const std::string& path, std::string_view kind) {
     if (file.text.empty()) return;
     const std::string full = beside(file_, file.text);
     if (std::filesystem::is_regular_file(full)) return;
-    add(file, path, why_no_file(full));
+    add(file, path, why_no_file(full, kind));
   }
 
   void depths_rise(const Node& table, const char* key, const std::string& path) {

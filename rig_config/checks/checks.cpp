@@ -14,6 +14,7 @@
 #include "rig_config/estimator_name.hpp"
 #include "rig_config/nearest_file.hpp"
 #include "rig_config/rules/explain.hpp"
+#include "rig_config/shipped.hpp"
 
 namespace drydock::rig_config {
 
@@ -128,29 +129,33 @@ class RigChecks {
   }
 
   void files_exist() {
-    if (const Node* rig = root_.find("rig")) file_exists(rig->find_text("mission"), "/rig/mission");
+    if (const Node* rig = root_.find("rig"))
+      file_exists(rig->find_text("mission"), "/rig/mission", missions);
     for_each_table(root_, "device", [&](const Node& device, std::size_t i) {
       const Node* emulate = device.find("emulate");
       if (!emulate) return;
-      file_exists(emulate->find_text("errors"), fmt::format("/device/{}/emulate/errors", i));
+      file_exists(emulate->find_text("errors"), fmt::format("/device/{}/emulate/errors", i),
+                  sensors);
       if (const Node* sky = emulate->find("sky"))
-        file_exists(sky->find_text("ephemeris"),
-                    fmt::format("/device/{}/emulate/sky/ephemeris", i));
+        file_exists(sky->find_text("ephemeris"), fmt::format("/device/{}/emulate/sky/ephemeris", i),
+                    {});
     });
   }
 
   void estimator_files_exist() {
     for_each_table(root_, "estimator", [&](const Node& estimator, std::size_t i) {
-      for (const char* key : {"sensors", "vehicle"})
-        file_exists(estimator.find_text(key), fmt::format("/estimator/{}/{}", i, key));
+      file_exists(estimator.find_text("sensors"), fmt::format("/estimator/{}/sensors", i), sensors);
+      file_exists(estimator.find_text("vehicle"), fmt::format("/estimator/{}/vehicle", i),
+                  vehicles);
     });
   }
 
-  void file_exists(const Node* name, const std::string& path) {
+  /// `kind`: of the shipped files that it may be; empty: none.
+  void file_exists(const Node* name, const std::string& path, std::string_view kind) {
     if (!name || name->text.empty()) return;
     const std::string full = beside(file_, name->text);
     if (std::filesystem::is_regular_file(full)) return;
-    add(*name, path, why_no_file(full));
+    add(*name, path, why_no_file(full, kind));
   }
 
   void estimators_devices_exist() {

@@ -4,6 +4,7 @@
 
 #include "rig_config/load.hpp"
 #include "rig_config/nearest_file.hpp"
+#include "rig_config/shipped.hpp"
 #include "tests/rig_config/problems.hpp"
 
 namespace drydock::rig_config::test {
@@ -96,15 +97,15 @@ TEST(Mistakes, AMisspelledFileIsComparedWithItsNeighbours) {
 
 TEST(Mistakes, AShippedFileThatARigNamesIsWrittenBesideItFirst) {
   const std::string folder = testing::TempDir();
-  EXPECT_THAT(why_no_file(folder + "nps-auv-ii"),
+  EXPECT_THAT(why_no_file(folder + "nps-auv-ii", vehicles),
               EndsWith("; `drydock example vehicles/nps-auv-ii > " + folder +
-                       "nps-auv-ii.toml` writes the "
-                       "one that comes with the program"));
-  EXPECT_EQ(why_no_file(folder + "nps-auv-ii.toml").find("did you mean"), std::string::npos);
-  EXPECT_THAT(why_no_file(folder + "loop.toml"),
-              HasSubstr("; `drydock example rigs/loop > " + folder +
-                        "loop.toml` or `drydock example missions/loop > "));
-  EXPECT_THAT(why_no_file(folder + "nps-auvii.toml"), HasSubstr("(did you mean 'nps-auv-ii'?)"));
+                       "nps-auv-ii.toml` writes the one that comes with the program"));
+  EXPECT_THAT(why_no_file(folder + "loop.toml", missions),  // a rig has the same name
+              HasSubstr("; `drydock example missions/loop > " + folder + "loop.toml`"));
+  EXPECT_THAT(why_no_file(folder + "nps-auvii.toml", vehicles),
+              HasSubstr("(did you mean 'nps-auv-ii'?)"));
+  for (const auto kind : {std::string_view{}, missions})
+    EXPECT_THAT(why_no_file(folder + "nps-auv-ii.toml", kind), EndsWith("nps-auv-ii.toml"));
 }
 
 }  // namespace mistakes_test
