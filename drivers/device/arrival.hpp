@@ -16,6 +16,7 @@ struct Arrival {
   Stamp read_at;                    ///< end of the read that brought the frame's last byte
   std::size_t bytes = 0;            ///< of the frame
   std::size_t after = 0;            ///< bytes of that read behind the frame
+  std::size_t skipped = 0;          ///< bytes between the frame before and this one
   Stamp not_before = Stamp::min();  ///< end of the frame before: what waited in a port, while the
                                     ///< host stood still, comes faster than the line carries it
 };

@@ -75,6 +75,8 @@ class TimedFramer {
     return [this, &on_frame](wire::Bytes frame, std::size_t after) {
       Arrival arrival = marks_.of(fed_ - after);
       arrival.bytes = frame.size();
+      arrival.skipped = framer_.counters().bytes_skipped - skipped_;
+      skipped_ = framer_.counters().bytes_skipped;
       if (last_end_ > arrival.read_at) last_end_ = Stamp::min();  // the host's clock was set back
       arrival.not_before = last_end_;
       last_end_ = std::max(arrival.read_at - rate_.time_of(arrival.after), last_end_);
@@ -98,7 +100,8 @@ class TimedFramer {
 
   wire::LineRate rate_;
   wire::Framer<Capacity> framer_;
-  std::uint64_t fed_ = 0;  ///< bytes since it was made
+  std::uint64_t fed_ = 0;      ///< bytes since it was made
+  std::uint64_t skipped_ = 0;  ///< of its bytes, in front of the frame that came out last
   ArrivalMarks marks_;
   Stamp last_end_ = Stamp::min();  ///< of the frame that came out last
   std::optional<Stamp> look_at_;

@@ -4,14 +4,15 @@ namespace drydock::device {
 
 void Pd6Driver::restart(Stamp now, Output& out) {
   StreamDriver::restart(now, out);
-  epoch_.forget();
+  epoch_.restart();
 }
 
 void Pd6Driver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out) {
   const auto line = wire::Pd6::decode(frame);
   if (!line) return;
-  const auto step = epoch_.take(*line, timing_.of_bytes(arrival), timing_.line_time(frame.size()),
-                                counters().bad_checksums);
+  const auto step =
+      epoch_.take(*line, {timing_.of_bytes(arrival), timing_.line_time(frame.size()),
+                          timing_.line_time(arrival.skipped), counters().bad_checksums});
   if (step == Pd6Epoch::Step::complete) publish(out);
   if (step == Pd6Epoch::Step::broken) {
     out.report(

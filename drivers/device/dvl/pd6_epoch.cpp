@@ -30,18 +30,18 @@ bool Pd6Epoch::continues(std::size_t rank, std::uint64_t damaged) const {
          origin_.received_at - began_ <= on_wire_ + longest_pause;
 }
 
-void Pd6Epoch::begin(const Origin& origin, std::uint64_t damaged) {
+void Pd6Epoch::begin(const Came& came) {
   lines_ = {};
-  origin_ = origin;
-  began_ = origin.received_at;
+  origin_ = came.origin;
+  skipped_ = came.skipped;
+  began_ = came.origin.received_at;
   on_wire_ = {};
-  damaged_ = damaged;
+  damaged_ = came.damaged;
   seen_ = 0;
   under_way_ = true;
 }
 
-Pd6Epoch::Step Pd6Epoch::take(const wire::Pd6::Message& line, const Origin& origin,
-                              std::chrono::nanoseconds on_wire, std::uint64_t damaged) {
+Pd6Epoch::Step Pd6Epoch::take(const wire::Pd6::Message& line, const Came& came) {
   const std::size_t rank = line.index();
   const bool begins = rank == attitude || (rank == timing && !(under_way_ && last_ == attitude));
   if (!begins && !under_way_) return Step::idle;
@@ -49,20 +49,23 @@ Pd6Epoch::Step Pd6Epoch::take(const wire::Pd6::Message& line, const Origin& orig
   Step step = Step::under_way;
   if (begins) {
     if (under_way_) step = Step::broken;
-    begin(origin, damaged);
+    begin(came);
   } else {
-    origin_.received_at = origin.received_at;
-    on_wire_ += on_wire;
-    if (!continues(rank, damaged)) {
-      forget();
+    origin_.received_at = came.origin.received_at;
+    on_wire_ += came.on_wire;
+    if (!continues(rank, came.damaged)) {
+      under_way_ = false;
       return Step::broken;
     }
   }
   last_ = rank;
   seen_ |= 1u << rank;
   std::visit(Keep{lines_}, line);
+  if (rank == timing && lines_.timing.clock)
+    origin_.valid_at =
+        begin_.of(origin_.valid_at, lines_.timing.clock->time_since_epoch(), skipped_);
   if (rank != bottom_distance) return step;
-  forget();
+  under_way_ = false;
   return (seen_ & needed) == needed ? Step::complete : Step::broken;
 }
 

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 
+#include "drivers/device/epoch_begin.hpp"
 #include "drivers/device/timing.hpp"
 #include "drivers/wire/dvl/pd6.hpp"
 
@@ -25,24 +26,34 @@ class Pd6Epoch {
     wire::Pd6BottomDistance distance;
   };
 
-  /// `origin` and `on_wire` are the origin and the duration of the line; `damaged` counts the
-  /// damaged lines so far. The result `broken` means that this line ended an incomplete epoch; the
-  /// line may have begun the next.
-  Step take(const wire::Pd6::Message& line, const Origin& origin, std::chrono::nanoseconds on_wire,
-            std::uint64_t damaged);
+  /// How a line came: `on_wire` is its duration, `skipped` that of the bytes in front of it that
+  /// were no line, `damaged` counts the damaged lines so far.
+  struct Came {
+    Origin origin;
+    std::chrono::nanoseconds on_wire, skipped;
+    std::uint64_t damaged = 0;
+  };
+
+  /// The result `broken` means that this line ended an incomplete epoch; the line may have begun
+  /// the next.
+  Step take(const wire::Pd6::Message& line, const Came& came);
 
   const Lines& lines() const { return lines_; }  ///< of the last complete epoch
-  const Origin& origin() const {
-    return origin_;
-  }  ///< valid_at of the first line, received_at of the last
-  void forget() { under_way_ = false; }
+  /// valid_at of the first line (EpochBegin), received_at of the last
+  const Origin& origin() const { return origin_; }
+  void restart() {
+    under_way_ = false;
+    begin_.forget();
+  }
 
  private:
   bool continues(std::size_t rank, std::uint64_t damaged) const;
-  void begin(const Origin& origin, std::uint64_t damaged);
+  void begin(const Came& came);
 
   Lines lines_;
   Origin origin_;
+  EpochBegin begin_;
+  std::chrono::nanoseconds skipped_{};  ///< in front of the first line
   Stamp began_{};
   std::chrono::nanoseconds on_wire_{0};  ///< sum for the lines so far, without the first
   std::uint64_t damaged_ = 0;            ///< count when the epoch began

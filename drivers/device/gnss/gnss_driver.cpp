@@ -52,6 +52,7 @@ void GnssDriver::on_frame(wire::Bytes frame, const Arrival& arrival, Output& out
   const auto message = wire::UbxNmea::decode(frame);
   if (!message) return;
   const Origin origin = timing_.of_bytes(arrival);
+  damaged_ = timing_.line_time(arrival.skipped);
   std::visit(
       [&](const auto& m) {
         if constexpr (requires { on(m, origin, out); }) on(m, origin, out);
@@ -91,6 +92,8 @@ void GnssDriver::restart(Stamp now, Output& out) {
   ubx_.clear();
   talker_.forget();
   date_.forget();
+  nmea_begin_.forget();
+  ubx_begin_.forget();
   closed_time_of_day_.reset();
   itow_ = fix_itow_ = satellites_itow_ = closed_itow_ = std::nullopt;
   pvt_at_ = sat_at_ = ubx_fix_at_ = ubx_satellites_at_ = std::nullopt;
@@ -130,6 +133,7 @@ void GnssDriver::begin_or_go_on(const Sentence& sentence, const Origin& origin, 
     close_nmea_epoch(out);
   else
     pause_.was_inside(nmea_.since_last(origin.received_at));
+  if (nmea_.empty()) nmea_damaged_ = damaged_;
 }
 
 template <class Sentence>
@@ -154,6 +158,8 @@ void GnssDriver::on_untimed(const Sentence& sentence, const Origin& origin, Outp
 
 void GnssDriver::close_nmea_epoch(Output& out) {
   if (nmea_.empty()) return;
+  if (const auto& time = nmea_.time_of_day())
+    nmea_.set_valid_at(nmea_begin_.of(nmea_.valid_at(), *time, nmea_damaged_));
   const bool fix_told = recent(ubx_fix_at_, last_bytes_) || ubx_.fix();
   const bool satellites_told = recent(ubx_satellites_at_, last_bytes_) || ubx_.satellites();
   auto fix = fix_told ? std::nullopt : nmea_.fix();
@@ -173,7 +179,7 @@ Origin GnssDriver::enter_epoch(milliseconds itow, const Origin& origin, Output& 
   if (itow_ != itow) {
     close_ubx_epoch(out);
     itow_ = itow;
-    itow_valid_at_ = origin.valid_at;
+    itow_valid_at_ = ubx_begin_.of(origin.valid_at, itow, damaged_);
   } else {
     pause_.was_inside(origin.received_at - itow_received_at_);
   }

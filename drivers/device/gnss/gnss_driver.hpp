@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drivers/device/epoch_begin.hpp"
 #include "drivers/device/gnss/epoch_pause.hpp"
 #include "drivers/device/gnss/nmea_epoch.hpp"
 #include "drivers/device/gnss/position_talker.hpp"
@@ -69,15 +70,19 @@ class GnssDriver final : public StreamDriver<wire::UbxNmea::max_frame> {
 
   EpochPause pause_;  ///< a pause this long on the line ends an epoch
   Stamp last_bytes_{};
+  std::chrono::nanoseconds damaged_{};  ///< on the line, in front of the message
 
   UbloxSetup setup_;
   PositionTalker talker_;
   UtcDate date_;
   NmeaEpoch nmea_;
+  EpochBegin nmea_begin_;
+  std::chrono::nanoseconds nmea_damaged_{};  ///< in front of the open epoch
   NmeaEpoch::TimeOfDay closed_time_of_day_;
   Stamp closed_at_{};
 
   UbxEpoch ubx_;
+  EpochBegin ubx_begin_;
   std::optional<std::chrono::milliseconds> itow_;  ///< iTOW of the current UBX epoch
   Stamp itow_valid_at_{}, itow_received_at_{};     ///< of its first message, of its last one
   std::optional<std::chrono::milliseconds> fix_itow_, satellites_itow_;  ///< last published

@@ -43,6 +43,8 @@ class NmeaEpoch {
   bool ends_before(const wire::Gsa& s) const { return !last_is_gsa_ && satellites_.has_again(s); }
   bool ends_before(const wire::Gsv& s) const { return satellites_.has_again(s); }
   const TimeOfDay& time_of_day() const { return time_of_day_; }
+  Stamp valid_at() const { return began_->valid_at; }  ///< precondition: it is not empty
+  void set_valid_at(Stamp valid_at) { began_->valid_at = valid_at; }
 
   void add(const wire::Gga& s, const Origin& o);
   void add(const wire::Rmc& s, const Origin& o) { begin(o, s.time_of_day), rmc_ = s; }
