@@ -76,13 +76,15 @@ async function measure({ image, colours, figures }) {
   const look = async () => {
     await page.bringToFront();
     const places = ({ figures }) => JSON.stringify(figures.map(({ rect }) => rect));
-    let image, before;
-    for (let tries = 0; tries < 5; ++tries) { // a line that breaks meanwhile moves the figures below it
+    let image, before, tries = 0;
+    do { // a line that breaks meanwhile moves the figures below it; the bench stands still at its end
+      if (++tries > 40) throw new Error('the figures never stood still');
+      const height = await page.evaluate(() => document.documentElement.scrollHeight); // a screenshot of more than the window moves them too
+      await page.setViewport({ width: Number(width), height: Math.max(900, height) });
       before = places(await page.evaluate(read));
-      image = Buffer.from(await page.screenshot({ path: path.join(folder, `page-${width}-${theme}.png`), fullPage: true })).toString('base64');
+      image = Buffer.from(await page.screenshot({ path: path.join(folder, `page-${width}-${theme}.png`) })).toString('base64');
       seen = await page.evaluate(read);
-      if (places(seen) === before) break;
-    }
+    } while (places(seen) !== before);
     pixels = await bench.evaluate(measure, { image, ...seen });
   };
   // A busy machine is late with its plots: the shade of the fault tells how far they are.
