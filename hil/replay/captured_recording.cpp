@@ -94,6 +94,10 @@ class Dubbing {
     return true;
   }
 
+  bool of_arrival() const {
+    return std::ranges::any_of(
+        files_, [](const auto& file) { return file.clock.pace == shell::Pace::arrival; });
+  }
   /// By link, after run().
   const std::map<std::string, Stamp>& ends() const { return ends_; }
 
@@ -163,7 +167,7 @@ CapturedRecording record_capture(const rig_config::Rig& rig) {
   if (!dubbing.run()) throw std::runtime_error("ended early, before the capture was read");
   auto recording = record::Recording::open(file.path());
   if (!recording) throw std::runtime_error(recording.error().line);
-  return {std::move(*recording), dubbing.notes(), dubbing.ends()};
+  return {std::move(*recording), dubbing.notes(), dubbing.ends(), dubbing.of_arrival()};
 }
 
 }  // namespace drydock::replay

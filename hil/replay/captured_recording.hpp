@@ -14,6 +14,7 @@ struct CapturedRecording {
   record::Recording recording;
   std::vector<std::string> notes;  ///< whose times it has, what in the capture cannot be read
   std::map<std::string, measurement::Stamp> ends;  ///< by link: when its capture has ended
+  bool of_arrival = false;  ///< at least one capture has the times at which its bytes came
 };
 
 /// `rig`: as lay() gives it, with `file:` links alone. Each byte and frame has the time at which a

@@ -87,6 +87,15 @@ CaptureRig rig_of_capture(const decode::ReplayOptions& capture, const std::strin
   return {loaded(rig_config::load_rig_text(text, no_file)), text, {}, 0, capture};
 }
 
+bool may_be_of_several(const decode::ReplayOptions& capture, const std::string& rig_file,
+                       const std::vector<std::string>& only) {
+  if (rig_file.empty()) return false;
+  const auto rig = loaded(rig_config::load_rig(rig_file));
+  return std::ranges::count_if(rig.devices, [&](const DeviceConfig& device) {
+           return fits(device, capture, only);
+         }) > 1;
+}
+
 std::string capture_rig_text(const DeviceConfig& device, unsigned baud) {
   const auto link = baud > 0 ? fmt::format("file:capture?baud={}", baud) : "file:capture";
   return fmt::format(

@@ -23,6 +23,10 @@ struct CaptureRig {
 CaptureRig rig_of_capture(const decode::ReplayOptions& capture, const std::string& rig_file,
                           const std::vector<std::string>& only);
 
+/// True if several devices of the rig file may have made the capture.
+bool may_be_of_several(const decode::ReplayOptions& capture, const std::string& rig_file,
+                       const std::vector<std::string>& only);
+
 /// A rig file with this device alone, for a capture of it. `baud` 0: not known.
 std::string capture_rig_text(const rig_config::DeviceConfig& device, unsigned baud);
 

@@ -1,6 +1,7 @@
 #include "hil/track/gather.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
@@ -8,8 +9,11 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "hil/replay/captured_recording.hpp"
+#include "hil/replay/laid_capture.hpp"
 #include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/replay_bench.hpp"
+#include "hil/replay/replay_source.hpp"
 #include "hil/track/gatherer.hpp"
 #include "hil/track/played_capture.hpp"
 #include "hil/track/setup.hpp"
@@ -30,31 +34,63 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// A recording with the rig that reads it.
+struct Source {
+  record::Recording recording;
+  rig_config::Rig rig;
+  std::map<std::string, measurement::Stamp> ends = {};  ///< of captures, by link
+  bool of_arrival = true;  ///< its times are those at which its bytes came
+};
+
+Gathered gathered_from(Source& source, const record::Selection& part, host::Follower* also) {
+  if (const auto wrong = record::misfit(part, source.recording); !wrong.empty())
+    throw std::runtime_error(wrong);
+  const auto& rig = source.rig;
+  boost::asio::io_context io{1};
+  replay::Pace pace(io, 0);
+  replay::ReplayBench bench(source.recording, rig, part, {.ends = std::move(source.ends)});
+  const auto inertial = part.from ? std::nullopt : inertial_of(rig);
+  Gatherer gatherer(rig, inertial ? std::optional(inertial->imu) : std::nullopt);
+  if (!source.of_arrival) gatherer.take_utc_of_receiver();
+  bench.followers().add(gatherer);
+  if (also != nullptr) bench.followers().add(*also);
+  bench.play(pace, [](double) { return true; });
+  Gathered gathered = gatherer.take();
+  gathered.rig_text = text_of(rig.file);
+  return gathered;
+}
+
 }  // namespace
 
 Gathered gather_recording(const std::string& path, const record::Selection& part,
                           const std::string& rig_file, host::Follower* also) {
   auto recording = record::Recording::open(path);
   if (!recording) throw std::runtime_error(recording.error().line);
-  if (const auto wrong = record::misfit(part, *recording); !wrong.empty())
-    throw std::runtime_error(wrong);
   const replay::RecordedRig recorded(*recording);
-  const auto rig = rig_to_play(recorded, rig_file);
-  boost::asio::io_context io{1};
-  replay::Pace pace(io, 0);
-  replay::ReplayBench bench(*recording, rig, part, {});
-  const auto inertial = part.from ? std::nullopt : inertial_of(rig);
-  Gatherer gatherer(rig, inertial ? std::optional(inertial->imu) : std::nullopt);
-  bench.followers().add(gatherer);
-  if (also != nullptr) bench.followers().add(*also);
-  bench.play(pace, [](double) { return true; });
-  Gathered gathered = gatherer.take();
+  auto rig = rig_to_play(recorded, rig_file);
+  Source source{std::move(*recording), std::move(rig)};
+  Gathered gathered = gathered_from(source, part, also);
   gathered.source = path;
-  gathered.rig_text = text_of(rig.file);
   if (!recorded.trouble().empty()) gathered.notes.push_back(recorded.trouble());
-  if (auto note = recording->clock_note(); !note.empty()) gathered.notes.push_back(std::move(note));
-  if (!recording->damage().empty())
-    gathered.notes.push_back("the recording is damaged: " + recording->damage());
+  if (auto note = source.recording.clock_note(); !note.empty())
+    gathered.notes.push_back(std::move(note));
+  if (!source.recording.damage().empty())
+    gathered.notes.push_back("the recording is damaged: " + source.recording.damage());
+  return gathered;
+}
+
+Gathered gather_captures(const replay::RigCaptures& captures, const std::string& rig_file,
+                         const record::Selection& part, host::Follower* also) {
+  auto laid = replay::lay(replay::rig_in(rig_file), captures);
+  auto made = replay::record_capture(laid.rig);
+  Source source{std::move(made.recording), std::move(laid.rig), std::move(made.ends),
+                made.of_arrival};
+  Gathered gathered = gathered_from(source, part, also);
+  std::vector<std::string> files;
+  for (const auto& file : captures.files) files.push_back(file.path);
+  gathered.source = fmt::format("{}", fmt::join(files, ", "));
+  std::ranges::move(laid.notes, std::back_inserter(gathered.notes));
+  std::ranges::move(made.notes, std::back_inserter(gathered.notes));
   return gathered;
 }
 

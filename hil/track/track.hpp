@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "hil/replay/rig_captures.hpp"
 #include "hil/track/gather.hpp"
 #include "hil/track/outcome.hpp"
 
@@ -15,8 +16,10 @@ struct BadOptions : std::runtime_error {
 
 struct TrackOptions {
   decode::ReplayOptions source;  ///< its `capture` names the file; the rest is for captures
-  std::string rig;               ///< a rig file in the place of the recorded one; empty: recorded
-  record::Selection part;        ///< of a recording
+  /// Captures that the devices of `rig` read; empty: `source` names the only file.
+  std::vector<replay::RigCaptures::File> captures = {};
+  std::string rig;         ///< a rig file in the place of the recorded one; empty: recorded
+  record::Selection part;  ///< of a recording
   Model model = Model::best;
   std::optional<frame::Position> origin;  ///< of a track without a fix
   std::string out;                        ///< file of the track; empty: none

@@ -173,7 +173,8 @@ class Making {
     const fs::path folder = options_.folder;
     const auto kind = rig().devices.front().kind;
     const auto origin = copy_rig_of(options_.source, kind, options_.folder);
-    TwinRig twin{start_, {}, origin.folder, origin.files};
+    TwinRig twin{start_, {}, {}, origin.folder, origin.files};
+    for (const auto& estimator : rig().estimators) twin.estimators.push_back(estimator.name);
     std::string lapses;
     for (std::size_t i = 0; i < rig().devices.size(); ++i) {
       const auto& device = rig().devices[i];

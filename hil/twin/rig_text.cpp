@@ -91,6 +91,24 @@ void change_device(toml::table& device, const TwinDevice& twin) {
   if (!errors.empty()) device.insert_or_assign("emulate", std::move(errors));
 }
 
+/// Tables of `key` with other names are left out.
+template <class Named>
+void keep_named(toml::table& rig, std::string_view key, Named&& is_named) {
+  auto* tables = rig[key].as_array();
+  if (tables == nullptr) return;
+  for (auto it = tables->begin(); it != tables->end();)
+    it = is_named(text_of_key(*it->as_table(), "name")) ? it + 1 : tables->erase(it);
+  if (tables->empty()) rig.erase(key);
+}
+
+bool keep_devices(toml::table& rig, const std::vector<TwinDevice>& devices) {
+  const auto before = rig["device"].as_array()->size();
+  keep_named(rig, "device", [&](const std::string& name) {
+    return std::ranges::find(devices, name, &TwinDevice::name) != devices.end();
+  });
+  return rig["device"].as_array()->size() == before;
+}
+
 }  // namespace
 
 std::string twin_rig_text(const std::string& rig_text, const TwinRig& twin) {
@@ -103,6 +121,10 @@ std::string twin_rig_text(const std::string& rig_text, const TwinRig& twin) {
     const auto start = toml::parse("start = " + start_text(twin.start));
     general.insert_or_assign("start", *start.get("start"));
     general.insert_or_assign("mission", "mission.toml");
+    if (!keep_devices(rig, twin.devices))
+      keep_named(rig, "estimator", [&](const std::string& name) {
+        return std::ranges::find(twin.estimators, name) != twin.estimators.end();
+      });
     for (auto& item : *rig["device"].as_array()) {
       auto& device = *item.as_table();
       const auto found =

@@ -18,13 +18,14 @@ struct TwinDevice {
 
 struct TwinRig {
   measurement::Stamp start{};
-  std::vector<TwinDevice> devices;
+  std::vector<TwinDevice> devices;           ///< others of the rig file are left out
+  std::vector<std::string> estimators;       ///< that can be fed by them
   std::string folder;                        ///< of the recorded rig file
   std::map<std::string, std::string> files;  ///< that it names, as normal paths -> the twin's
 };
 
 /// The rig file of a recording with every link emulated, the measured rates and errors, and the
-/// mission `mission.toml`. Estimators and all other keys stay; [[expect]] and [[fault]] go. Throws
+/// mission `mission.toml`. All other keys stay; [[expect]] and [[fault]] go. Throws
 /// std::runtime_error with one line.
 std::string twin_rig_text(const std::string& rig_text, const TwinRig& twin);
 

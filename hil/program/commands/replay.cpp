@@ -10,6 +10,7 @@
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
 #include "hil/program/look_of_capture.hpp"
+#include "hil/program/named_file.hpp"
 #include "hil/program/options.hpp"
 #include "hil/program/part_arguments.hpp"
 #include "hil/replay/capture_report.hpp"
@@ -97,13 +98,6 @@ void read_for_rig(ReplayArguments& a) {
   r.part = a.part.selection();
 }
 
-/// NAME=FILE, where there is no file of the whole name.
-replay::RigCaptures::File named_file(const std::string& text) {
-  const auto equals = text.find('=');
-  if (equals == std::string::npos || rig_config::file_trouble(text).empty()) return {text};
-  return {text.substr(equals + 1), text.substr(0, equals)};
-}
-
 /// Captures that the devices of a rig read.
 void read_captures_for_rig(const CLI::App& sub, ReplayArguments& a) {
   for (const char* option : {"--kind", "--address"})
@@ -114,10 +108,7 @@ void read_captures_for_rig(const CLI::App& sub, ReplayArguments& a) {
   captures.how = a.capture;
   for (const auto& text : a.files) {
     captures.files.push_back(named_file(text));
-    const auto& path = captures.files.back().path;
-    must_be_readable(path);
-    if (replay::is_recording(path))
-      throw std::runtime_error(path + ": a recording is played alone, and names its devices");
+    must_be_capture(captures.files.back().path);
   }
   a.recording.recording = fmt::format("{}", fmt::join(a.files, ", "));
 }

@@ -2,11 +2,8 @@
 
 #include <memory>
 
-#include "hil/program/capture_arguments.hpp"
 #include "hil/program/commands.hpp"
-#include "hil/program/load_rig.hpp"
-#include "hil/program/options.hpp"
-#include "hil/program/part_arguments.hpp"
+#include "hil/program/dive_arguments.hpp"
 #include "hil/program/start_argument.hpp"
 
 namespace drydock::program {
@@ -15,13 +12,13 @@ namespace {
 
 struct TrackArguments {
   track::TrackOptions options;
-  PartArguments part;
+  DiveArguments dive;
   std::string model = "best";
 };
 
 void finish(TrackArguments& a) {
   auto& o = a.options;
-  o.part = a.part.selection();
+  a.dive.read(o);
   if (a.model == "inertial") o.model = track::Model::inertial;
   if (a.model == "level") o.model = track::Model::level;
 }
@@ -36,9 +33,9 @@ void add_track(CLI::App& app, Command& command) {
   sub->footer(
       "Example: drydock track dive.mcap -o dive.geojson --report out\n"
       "         drydock track dive.mcap --model level --json\n"
+      "         drydock track dvl=dive.pd0 can.asc --rig my-rig.toml -o dive.csv\n"
       "         drydock track dive.pd0 --protocol pd0 --start 41.5,-70.7 -o dive.gpx");
-  sub->add_option("RECORDING", o.source.capture, "MCAP recording, or capture of one sensor")
-      ->required();
+  a->dive.add_files(*sub);
   sub->add_option("-o,--out", o.out, "file of the track");
   sub->add_option("--as", o.as,
                   "its format, one of geojson, gpx, csv, mcap; default as its name ends")
@@ -54,17 +51,12 @@ void add_track(CLI::App& app, Command& command) {
                   "default best: inertial where that is possible")
       ->check(CLI::IsMember({"best", "inertial", "level"}));
   add_start(*sub, o.origin);
-  sub->add_option("--rig", o.rig,
-                  "rig file in the place of the recorded one, or with the sensor of a capture")
-      ->transform(rig_name);
-  a->part.add_only_and_from(*sub);
-  a->part.add_to(*sub);
+  a->dive.add_rig_and_part(*sub, o.rig);
   add_capture(*sub, o.source);
   sub->callback([a, &command] {
     finish(*a);
     command = [a] {
-      must_be_readable(a->options.source.capture);
-      a->options.source.description = load_protocol(a->options.source.protocol);
+      a->dive.open(a->options);
       return track::track(a->options, stdout, stderr);
     };
   });

@@ -51,6 +51,7 @@ TEST(TwinRigText, HasMeasuredErrorsInThePlaceOfStatedOnesAndKeepsTheRest) {
   TwinRig twin;
   twin.start = measurement::stamp_from_ns(1'418'990'000'123'456'789);  // 2014-12-19T11:53:20 UTC
   twin.devices = {{"dvl", "sensors/dvl.toml", 0.49}};
+  twin.estimators = {"track"};
   const auto text = twin_rig_text(recorded_rig, twin);
   const auto rig =
       rig_config::load_rig_text(text, "rig.toml", {.link_check = {}, .devices_only = true}).value();
