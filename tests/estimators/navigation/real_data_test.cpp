@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <stdexcept>
 
+#include "tests/estimators/navigation/recordings/at_hand.hpp"
 #include "tests/estimators/navigation/recordings/vehicles.hpp"
 
 namespace drydock::navigation::real_data_test {
@@ -15,11 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace navigation::test;
-
-fs::path ins() {
-  const char* named = std::getenv("DRYDOCK_CORPORA");
-  return fs::path{named ? named : DRYDOCK_SOURCE_DIR "/../shared/corpora"} / "ins";
-}
 
 double rms(const std::vector<double>& values) {
   double square = 0;

@@ -14,11 +14,6 @@ namespace {
 
 constexpr double leveling_s = 2;
 
-double magnetic_heading(const Vector3d& field_body, const frame::Euler& attitude) {
-  const Vector3d level = frame::body_to_ned({attitude.roll, attitude.pitch, 0}) * field_body;
-  return std::atan2(-level.y(), level.x());
-}
-
 template <class Samples>
 std::size_t first_after(const Samples& samples, double t) {
   std::size_t i = 0;
@@ -38,33 +33,50 @@ struct InnovationMean {
 
 }  // namespace
 
-Read<DiveResult> navigate(const PoolRecording& dive, const DiveSetup& setup) {
+double magnetic_heading(const Vector3d& field_body, const frame::Euler& attitude) {
+  const Vector3d level = frame::body_to_ned({attitude.roll, attitude.pitch, 0}) * field_body;
+  return std::atan2(-level.y(), level.x());
+}
+
+double height_of(const TimedPressure& pressure, const DiveSetup& setup) {
+  return -pressure.pascal / setup.density / frame::local_earth(setup.latitude_rad, 0).gravity_mps2;
+}
+
+Read<AlignedDive> aligned(const PoolRecording& dive, const DiveSetup& setup) {
   const double begin = dive.imu.front().t + leveling_s;
-  std::size_t sample = first_after(dive.imu, begin), ping = first_after(dive.dvl, begin);
-  std::size_t pressed = first_after(dive.pressure, begin),
-              field = first_after(dive.magnetic, begin);
-  if (sample == dive.imu.size() || ping == dive.dvl.size() || pressed == dive.pressure.size() ||
-      field == dive.magnetic.size())
+  AlignedDive at{begin,
+                 first_after(dive.imu, begin),
+                 first_after(dive.dvl, begin),
+                 first_after(dive.pressure, begin),
+                 first_after(dive.magnetic, begin),
+                 {}};
+  if (at.sample == dive.imu.size() || at.ping == dive.dvl.size() ||
+      at.pressed == dive.pressure.size() || at.field == dive.magnetic.size())
     return Refusal{"alignment", "the dive is over before it is levelled"};
 
   Vector3d force = Vector3d::Zero();
-  for (std::size_t i = 0; i < sample; ++i) force += setup.imu_to_body * dive.imu[i].force;
+  for (std::size_t i = 0; i < at.sample; ++i) force += setup.imu_to_body * dive.imu[i].force;
   frame::Euler attitude{std::atan2(-force.y(), -force.z()),
                         std::atan2(force.x(), std::hypot(force.y(), force.z())), 0};
-  attitude.yaw = magnetic_heading(setup.imu_to_body * dive.magnetic[field].value, attitude);
-  const double gravity = frame::local_earth(setup.latitude_rad, 0).gravity_mps2;
-  const auto height = [&](const TimedPressure& p) { return -p.pascal / setup.density / gravity; };
+  attitude.yaw = magnetic_heading(setup.imu_to_body * dive.magnetic[at.field].value, attitude);
+  at.state = {{setup.latitude_rad, 0, height_of(dive.pressure[at.pressed], setup)},
+              Vector3d::Zero(),
+              frame::body_to_ned(attitude)};
+  at.state.position.height_m += (at.state.body_to_ned * setup.pressure_lever).z();
+  at.state.velocity_ned = at.state.body_to_ned * (setup.dvl_to_body * dive.dvl[at.ping].value);
+  return at;
+}
 
-  NavigationState start{{setup.latitude_rad, 0, height(dive.pressure[pressed])},
-                        Vector3d::Zero(),
-                        frame::body_to_ned(attitude)};
-  start.position.height_m += (start.body_to_ned * setup.pressure_lever).z();
-  start.velocity_ned = start.body_to_ned * (setup.dvl_to_body * dive.dvl[ping].value);
+Read<DiveResult> navigate(const PoolRecording& dive, const DiveSetup& setup) {
+  const auto found = aligned(dive, setup);
+  if (found.has_error()) return found.error();
+  auto [begin, sample, ping, pressed, field, start] = *found;
+  const auto height = [&](const TimedPressure& p) { return height_of(p, setup); };
   AidedNavigation aided{start, setup.options};
 
   DiveResult result;
   InnovationMean velocity, depth;
-  double now = begin, heading = attitude.yaw, magnetic = attitude.yaw;
+  double now = begin, heading = frame::euler(start.body_to_ned).yaw, magnetic = heading;
   double velocity_square = 0, depth_square = 0;
   Vector3d rate = Vector3d::Zero();
   const auto go_to = [&](double t, const ImuRow& imu) {

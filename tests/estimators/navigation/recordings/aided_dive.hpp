@@ -1,5 +1,6 @@
 #pragma once
 
+#include "estimators/frame/attitude.hpp"
 #include "estimators/navigation/aided_navigation.hpp"
 #include "tests/estimators/navigation/recordings/pool_recording.hpp"
 
@@ -23,6 +24,21 @@ struct DiveResult {
   double velocity_rms_mps = 0, depth_rms_m = 0;
   int refused = 0;  ///< rows beyond the gate
 };
+
+/// Where a dive is levelled, with the indices of the first readings behind that.
+struct AlignedDive {
+  double begin_s;
+  std::size_t sample, ping, pressed, field;
+  NavigationState state;  ///< of the IMU
+};
+
+/// Refuses what navigate() refuses.
+Read<AlignedDive> aligned(const PoolRecording& dive, const DiveSetup& setup);
+
+/// Above the place where the sensor reads zero, m.
+double height_of(const TimedPressure& pressure, const DiveSetup& setup);
+/// Against magnetic north, rad.
+double magnetic_heading(const Eigen::Vector3d& field_body, const frame::Euler& attitude);
 
 /// Levels over the first 2 s, because the vehicle never rests. Takes the heading from the
 /// magnetometer and the velocity from the first DVL line. Refuses a shorter recording.

@@ -75,6 +75,16 @@ Eigen::Vector2d horizontal_error(const AidedNavigation& aided, const RtkFix& fix
 
 }  // namespace
 
+Read<AlignedDrive> aligned(const DriveRecording& drive, const DriveSetup& setup) {
+  Imu imu{drive, setup};
+  const auto start = align(imu);
+  if (start.has_error()) return start.error();
+  AlignedDrive made{start->fix, start->state, {}};
+  for (std::size_t i = start->sample - 1; i < drive.imu.size(); ++i)
+    made.imu.push_back({imu.time(i), imu.rate(i), imu.force(i)});
+  return made;
+}
+
 Read<DriveResult> navigate(const DriveRecording& drive, const DriveSetup& setup, const Gaps& gaps) {
   Imu imu{drive, setup};
   const auto start = align(imu);

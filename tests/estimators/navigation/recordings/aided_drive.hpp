@@ -29,6 +29,16 @@ struct DriveResult {
   std::vector<double> gap_nees;     ///< normalised by the covariance, per degree of freedom
 };
 
+/// Where the car begins to move, and the IMU from there on in body axes, in the time of the fixes.
+struct AlignedDrive {
+  std::size_t fix;        ///< the first one that finds it moving
+  NavigationState state;  ///< of the IMU, at the first sample
+  std::vector<ImuRow> imu;
+};
+
+/// Refuses what navigate() refuses.
+Read<AlignedDrive> aligned(const DriveRecording& drive, const DriveSetup& setup);
+
 /// Levels while the car is at rest at the start. Carries this attitude with the gyros until the car
 /// moves at 2 m/s and takes the heading from the course there. Then it runs the filter to the end.
 /// Refuses a recording that does not start at rest or never moves.
