@@ -7,10 +7,10 @@
 #include "hil/compare/compare.hpp"
 #include "hil/compare/contest.hpp"
 #include "hil/compare/true_places.hpp"
-#include "hil/replay/other_rig.hpp"
-#include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/recorded_trajectory.hpp"
 #include "hil/replay/replay_bench.hpp"
+#include "hil/replay/rigs/other_rig.hpp"
+#include "hil/replay/rigs/recorded_rig.hpp"
 #include "rig_config/load.hpp"
 
 namespace drydock::compare {

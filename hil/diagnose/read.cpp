@@ -12,8 +12,8 @@
 #include "drivers/shell/played_files.hpp"
 #include "hil/diagnose/examination.hpp"
 #include "hil/diagnose/sources.hpp"
-#include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/replay_bench.hpp"
+#include "hil/replay/rigs/recorded_rig.hpp"
 
 namespace drydock::diagnose {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hil/program/capture_arguments.hpp"
-#include "hil/replay/rig_captures.hpp"
+#include "hil/replay/rigs/rig_captures.hpp"
 
 namespace drydock::program {
 

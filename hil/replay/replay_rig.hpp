@@ -11,7 +11,7 @@
 #include "drivers/host/rig_viewer.hpp"
 #include "drivers/recordings/record/selection.hpp"
 #include "hil/replay/recording_file.hpp"
-#include "hil/replay/rig_captures.hpp"
+#include "hil/replay/rigs/rig_captures.hpp"
 
 namespace drydock::replay {
 

@@ -4,8 +4,8 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "hil/replay/captured_recording.hpp"
-#include "hil/replay/laid_capture.hpp"
+#include "hil/replay/rigs/captured_recording.hpp"
+#include "hil/replay/rigs/laid_capture.hpp"
 #include "rig_config/load.hpp"
 
 namespace drydock::replay {

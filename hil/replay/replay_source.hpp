@@ -5,8 +5,8 @@
 #include <string>
 
 #include "drivers/recordings/record/recording.hpp"
-#include "hil/replay/other_rig.hpp"
 #include "hil/replay/replay_rig.hpp"
+#include "hil/replay/rigs/other_rig.hpp"
 
 namespace drydock::replay {
 

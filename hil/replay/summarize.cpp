@@ -7,10 +7,10 @@
 #include "drivers/host/finding_log.hpp"
 #include "estimators/host/diagnostician_beside.hpp"
 #include "estimators/host/sound_devices.hpp"
-#include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/recording_progress.hpp"
 #include "hil/replay/replay_bench.hpp"
 #include "hil/replay/replay_summary.hpp"
+#include "hil/replay/rigs/recorded_rig.hpp"
 #include "hil/summary/findings.hpp"
 
 namespace drydock::replay {

@@ -9,11 +9,11 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "hil/replay/captured_recording.hpp"
-#include "hil/replay/laid_capture.hpp"
-#include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/replay_bench.hpp"
 #include "hil/replay/replay_source.hpp"
+#include "hil/replay/rigs/captured_recording.hpp"
+#include "hil/replay/rigs/laid_capture.hpp"
+#include "hil/replay/rigs/recorded_rig.hpp"
 #include "hil/track/gatherer.hpp"
 #include "hil/track/played_capture.hpp"
 #include "hil/track/setup.hpp"

@@ -3,7 +3,7 @@
 #include "drivers/decode/replay.hpp"
 #include "drivers/host/follower.hpp"
 #include "drivers/recordings/record/selection.hpp"
-#include "hil/replay/rig_captures.hpp"
+#include "hil/replay/rigs/rig_captures.hpp"
 #include "hil/track/gathered.hpp"
 
 namespace drydock::track {
@@ -19,8 +19,8 @@ Gathered gather_recording(const std::string& path, const record::Selection& part
 Gathered gather_capture(const decode::ReplayOptions& capture, const record::Selection& part = {},
                         const std::string& rig_file = {}, host::Follower* also = nullptr);
 
-/// Plays captures through the devices of a rig that read them (replay/laid_capture.hpp). Throws
-/// std::exception with one line.
+/// Plays captures through the devices of a rig that read them (replay/rigs/laid_capture.hpp).
+/// Throws std::exception with one line.
 Gathered gather_captures(const replay::RigCaptures& captures, const std::string& rig_file,
                          const record::Selection& part = {}, host::Follower* also = nullptr);
 

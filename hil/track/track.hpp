@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "hil/replay/rig_captures.hpp"
+#include "hil/replay/rigs/rig_captures.hpp"
 #include "hil/track/gather.hpp"
 #include "hil/track/outcome.hpp"
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "drivers/recordings/record/recording.hpp"
-#include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/replay_rig.hpp"
+#include "hil/replay/rigs/recorded_rig.hpp"
 #include "hil/report/write_file.hpp"
 #include "hil/track/capture_rig.hpp"
 #include "rig_config/load.hpp"

@@ -14,8 +14,8 @@
 #include "hil/diagnose/diagnose.hpp"
 #include "hil/diagnose/examination.hpp"
 #include "hil/diagnose/sources.hpp"
-#include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/replay_bench.hpp"
+#include "hil/replay/rigs/recorded_rig.hpp"
 #include "rig_config/load.hpp"
 
 namespace drydock::diagnose {

@@ -1,5 +1,5 @@
 // A recorded run goes through another rig's drivers and estimators, and is judged like a run.
-#include "hil/replay/other_rig.hpp"
+#include "hil/replay/rigs/other_rig.hpp"
 
 #include <gmock/gmock.h>
 

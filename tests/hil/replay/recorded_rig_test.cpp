@@ -5,7 +5,7 @@
 
 #include "drivers/recordings/mcap/file_sink.hpp"
 #include "drivers/recordings/record/recorder.hpp"
-#include "hil/replay/recorded_rig.hpp"
+#include "hil/replay/rigs/recorded_rig.hpp"
 #include "tests/hil/replay/recorded_run.hpp"
 
 namespace recorded_rig_test {

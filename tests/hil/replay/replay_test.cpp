@@ -3,8 +3,8 @@
 
 #include <chrono>
 
-#include "hil/replay/recorded_rig.hpp"
 #include "hil/replay/replay_bench.hpp"
+#include "hil/replay/rigs/recorded_rig.hpp"
 #include "tests/hil/replay/recorded_run.hpp"
 
 namespace replay_test {

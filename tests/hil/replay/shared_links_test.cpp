@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "hil/replay/recorded_rig.hpp"
+#include "hil/replay/rigs/recorded_rig.hpp"
 #include "tests/hil/replay/recorded_run.hpp"
 
 namespace shared_links_test {

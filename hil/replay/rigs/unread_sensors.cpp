@@ -1,4 +1,4 @@
-#include "hil/replay/unread_sensors.hpp"
+#include "hil/replay/rigs/unread_sensors.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "hil/replay/captured_recording.hpp"
+#include "hil/replay/rigs/captured_recording.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

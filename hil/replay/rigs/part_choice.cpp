@@ -1,4 +1,4 @@
-#include "hil/replay/part_choice.hpp"
+#include "hil/replay/rigs/part_choice.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "hil/replay/recorded_rig.hpp"
+#include "hil/replay/rigs/recorded_rig.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

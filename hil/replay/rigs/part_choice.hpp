@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "hil/replay/capture_parts.hpp"
-#include "hil/replay/rig_captures.hpp"
+#include "hil/replay/rigs/capture_parts.hpp"
+#include "hil/replay/rigs/rig_captures.hpp"
 #include "rig_config/rig.hpp"
 
 namespace drydock::replay {

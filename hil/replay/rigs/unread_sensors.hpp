@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "hil/replay/capture_parts.hpp"
+#include "hil/replay/rigs/capture_parts.hpp"
 #include "rig_config/rig.hpp"
 
 namespace drydock::replay {

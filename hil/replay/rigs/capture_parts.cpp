@@ -1,4 +1,4 @@
-#include "hil/replay/capture_parts.hpp"
+#include "hil/replay/rigs/capture_parts.hpp"
 
 #include <fmt/format.h>
 

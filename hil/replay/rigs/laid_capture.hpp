@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hil/replay/other_rig.hpp"
-#include "hil/replay/rig_captures.hpp"
+#include "hil/replay/rigs/other_rig.hpp"
+#include "hil/replay/rigs/rig_captures.hpp"
 
 namespace drydock::replay {
 

@@ -1,4 +1,4 @@
-#include "hil/replay/laid_capture.hpp"
+#include "hil/replay/rigs/laid_capture.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "drivers/link/uri.hpp"
-#include "hil/replay/part_choice.hpp"
-#include "hil/replay/unread_sensors.hpp"
+#include "hil/replay/rigs/part_choice.hpp"
+#include "hil/replay/rigs/unread_sensors.hpp"
 
 namespace drydock::replay {
 namespace {

@@ -1,4 +1,4 @@
-#include "hil/replay/other_rig.hpp"
+#include "hil/replay/rigs/other_rig.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
