@@ -179,12 +179,17 @@ std::uint64_t mask_of_blocks(std::span<const Field> fields) {
   return mask;
 }
 
-std::size_t bytes_of_records(const Records& records, std::span<const Field> fields) {
+std::size_t bytes_of_blocks(const Records& blocks, std::span<const Field> fields) {
   std::size_t bytes = 0;
   const std::uint64_t mask = mask_of_blocks(fields);
-  for (std::size_t bit = 0; bit < records.sizes.size(); ++bit)
-    if ((mask >> bit & 1) != 0) bytes += records.sizes[bit];
-  if (records.are_blocks()) return bytes;
+  for (std::size_t bit = 0; bit < blocks.sizes.size(); ++bit)
+    if ((mask >> bit & 1) != 0) bytes += blocks.sizes[bit];
+  return bytes;
+}
+
+std::size_t bytes_of_records(const Records& records, std::span<const Field> fields) {
+  if (records.are_blocks()) return bytes_of_blocks(records, fields);
+  std::size_t bytes = 0;
   for_each_described_record(
       fields, [&](std::uint16_t, std::size_t size) { bytes += records.header() + size; });
   return bytes;

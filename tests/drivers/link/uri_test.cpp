@@ -208,7 +208,7 @@ TEST(Uri, ARecordingMayNameALineOfAFileOfPackets) {
   for (const char* line : {"can1", "/dev/ttyUSB0", "10.0.0.7:16171", "[fe80::1]:9002"})
     EXPECT_TRUE(parse_uri(std::string("file:dive.pcapng?interface=") + line)) << line;
   EXPECT_FALSE(parse_uri("file:dive.pcapng?interface=a b"));
-  EXPECT_FALSE(parse_uri(std::string("file:dive.pcapng?interface=a\0b", 32)));
+  EXPECT_FALSE(parse_uri(std::string_view("file:dive.pcapng?interface=a\0b", 30)));
   EXPECT_FALSE(parse_uri("udp:127.0.0.1:9?interface=/dev/ttyUSB0"));
 }
 
