@@ -29,6 +29,12 @@ void visit_fields(const DepthSample& m, Field&& field) {
   field("altitude_m", m.altitude_m);
 }
 
+/// One standard deviation of each axis.
+inline std::optional<Eigen::Vector3d> sigmas_of(const std::optional<Eigen::Matrix3d>& covariance) {
+  if (!covariance) return {};
+  return covariance->diagonal().cwiseSqrt();
+}
+
 template <class Field>
 void visit_fields(const BottomVelocity& m, Field&& field) {
   field("velocity_mps", m.velocity);
@@ -40,6 +46,10 @@ void visit_fields(const BottomVelocity& m, Field&& field) {
   field("roll_deg", wire::degrees(m.roll_rad));
   field("sound_speed_mps", m.sound_speed_mps);
   field("depth_m", m.depth_m);
+  field("water_temperature_k", m.water_temperature_k);
+  field("salinity_ppt", m.salinity_ppt);
+  field("velocity_sigma_mps", sigmas_of(m.velocity_covariance));
+  field("figure_of_merit_mps", m.figure_of_merit_mps);
 }
 
 template <class Field>
@@ -47,12 +57,16 @@ void visit_fields(const WaterSpeed& m, Field&& field) {
   field("longitudinal_mps", m.longitudinal_mps);
   field("transverse_mps", m.transverse_mps);
   field("distance_m", m.distance_m);
+  field("sigma_mps", m.sigma_mps);
 }
 
 template <class Field>
 void visit_fields(const GnssFix& m, Field&& field) {
   using Angle = std::optional<double>;
+  constexpr std::array<std::string_view, 5> qualities{"autonomous", "differential", "rtk_float",
+                                                      "rtk_fixed", "dead_reckoning"};
   field("fix_type", static_cast<int>(m.type));
+  field("quality", m.quality ? qualities[static_cast<std::size_t>(*m.quality)] : "unknown");
   field("utc_s", m.utc ? Angle(seconds(m.utc->time_since_epoch())) : Angle());
   field("latitude_deg", m.position ? Angle(wire::degrees(m.position->latitude_rad)) : Angle());
   field("longitude_deg", m.position ? Angle(wire::degrees(m.position->longitude_rad)) : Angle());

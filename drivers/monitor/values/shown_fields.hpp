@@ -15,18 +15,6 @@ void visit_shown(const M& m, Field&& field) {
 }
 
 template <class Field>
-void visit_shown(const measurement::BottomVelocity& m, Field&& field) {
-  visit_fields(m, field);
-  field("figure_of_merit_mps", m.figure_of_merit_mps);
-}
-
-template <class Field>
-void visit_shown(const measurement::WaterSpeed& m, Field&& field) {
-  visit_fields(m, field);
-  field("sigma_mps", m.sigma_mps);
-}
-
-template <class Field>
 void visit_shown(const measurement::GnssFix& m, Field&& field) {
   constexpr std::array<std::string_view, 6> fixes{"none", "dead reckoning",          "2D",
                                                   "3D",   "GNSS and dead reckoning", "time only"};
@@ -35,7 +23,7 @@ void visit_shown(const measurement::GnssFix& m, Field&& field) {
   field("fix", fixes[static_cast<std::size_t>(m.type)]);
   if (m.quality) field("quality", qualities[static_cast<std::size_t>(*m.quality)]);
   visit_fields(m, [&](std::string_view name, const auto& content) {
-    if (name != "fix_type") field(name, content);
+    if (name != "fix_type" && name != "quality") field(name, content);
   });
 }
 

@@ -124,6 +124,20 @@ constexpr std::string_view pnorbt7 =
     "$PNORBT7,1700000002.1234,23.961,-48.122,0.50000,0.20000,-0.01000,0.00500,23.00,23.10,23.20,23."
     "30*21\r\n";
 
+/// The diagonal of the golden report's covariance is 2.5e-6, 4e-6 and 1e-6 (m/s)2 (its generator).
+TEST(Replay, TellsHowSureADvlSaysItIs) {
+  ReplayOptions options;
+  options.capture = DRYDOCK_SOURCE_DIR "/fixtures/water-linked/golden.txt";
+  options.protocol = "water-linked";
+  const auto line = run_replay(options).lines().at(0);
+  EXPECT_EQ(line["figure_of_merit_mps"], 0.003);
+  const std::vector<double> sigma = line["velocity_sigma_mps"];
+  ASSERT_EQ(sigma.size(), 3u);
+  EXPECT_NEAR(sigma[0] * sigma[0], 2.5e-6, 1e-12);
+  EXPECT_NEAR(sigma[1] * sigma[1], 4e-6, 1e-12);
+  EXPECT_NEAR(sigma[2] * sigma[2], 1e-6, 1e-12);
+}
+
 /// The capture has no times of its own. A microsecond is the step of a double of these seconds.
 TEST(Replay, ADvlWithItsOwnClockIsValidWhenItSaysAndCameWhenItWasSent) {
   const auto water_linked = run_replay_of_dvl("water-linked", wrz).lines();
