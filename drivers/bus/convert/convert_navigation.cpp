@@ -7,7 +7,7 @@ namespace drydock::bus {
 namespace {
 
 constexpr std::int8_t has_fix = 0, dead_reckoned_service = 0;
-constexpr std::uint8_t covariance_known = 3;
+constexpr std::uint8_t covariance_known = 3, covariance_unknown = 0;
 
 /// Converts rotations. A product with it would spread a number that is not known (NaN).
 Eigen::Matrix3d ned_to_enu() {
@@ -69,9 +69,16 @@ bool fill(NavSatFixMessage& message, const Navigation& navigation) {
   message.latitude = navigation.latitude_rad * units::degrees_per_radian;
   message.longitude = navigation.longitude_rad * units::degrees_per_radian;
   message.altitude = navigation.height_m;
-  const Eigen::Matrix3d enu = enu_block(navigation, 0, 0);
+  Eigen::Matrix3d enu = enu_block(navigation, 0, 0);
+  const bool known = enu.topLeftCorner<2, 2>().allFinite();
+  if (!known) enu.setZero();
+  if (!enu.allFinite()) {  // of a height that nobody tells: it gets no weight
+    enu.row(2).setZero();
+    enu.col(2).setZero();
+    enu(2, 2) = unknown_variance;
+  }
   for (int i = 0; i < 9; ++i) message.position_covariance[i] = enu(i / 3, i % 3);
-  message.position_covariance_type = covariance_known;
+  message.position_covariance_type = known ? covariance_known : covariance_unknown;
   return true;
 }
 

@@ -224,6 +224,23 @@ TEST(BusConversion, ANavigationWithoutAHeightHasItsEastAndNorth) {
   EXPECT_EQ(fix.position_covariance[0], 4);
 }
 
+/// sensor_msgs/NavSatFix: COVARIANCE_TYPE_UNKNOWN is 0, COVARIANCE_TYPE_KNOWN 3.
+TEST(BusConversion, ANavigationWithoutACovarianceIsAFixOfUnknownOne) {
+  Navigation navigation;
+  navigation.covariance.setConstant(std::nan(""));
+  NavSatFixMessage message{};
+  ASSERT_TRUE(fill(message, navigation));
+  EXPECT_EQ(message.position_covariance_type, 0);
+  for (const double value : message.position_covariance) EXPECT_EQ(value, 0);
+
+  navigation.covariance.topLeftCorner<2, 2>() = Eigen::Vector2d{4, 9}.asDiagonal();
+  ASSERT_TRUE(fill(message, navigation));
+  EXPECT_EQ(message.position_covariance_type, 3);
+  EXPECT_EQ(message.position_covariance[0], 9);  // east
+  EXPECT_EQ(message.position_covariance[4], 4);
+  EXPECT_EQ(message.position_covariance[8], 1e6);  // of a height that nobody tells
+}
+
 TEST(BusConversion, ANavigationBecomesOdometryInEnuAndFlu) {
   Navigation navigation;
   navigation.offset_ned = {100, 20, 5};
