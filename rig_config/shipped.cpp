@@ -37,9 +37,11 @@ std::filesystem::path find_folder() {
   return found.empty() ? folder_above(own_file()) : found;
 }
 
+/// A folder of the name (of results) hides no file.
 bool is_there(const std::filesystem::path& path) {
   std::error_code error;
-  return std::filesystem::exists(path, error);
+  const auto status = std::filesystem::status(path, error);
+  return std::filesystem::exists(status) && !std::filesystem::is_directory(status);
 }
 
 }  // namespace

@@ -44,6 +44,9 @@ int calibrate(const CalibrateOptions& options, std::FILE* out, std::FILE* err) {
     return terminal::exit_of(std::ranges::any_of(outcome.calibration.findings, [](const auto& f) {
       return f.verdict == calibration::Verdict::told;
     }));
+  } catch (const track::BadOptions& error) {
+    fmt::print(err, "calibrate: {}\n", error.what());
+    return terminal::exit_usage;
   } catch (const std::exception& error) {
     fmt::print(err, "calibrate: {}\n", error.what());
     return terminal::exit_failed;

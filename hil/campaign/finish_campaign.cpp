@@ -47,6 +47,9 @@ int finish_campaign(const OpenCampaign& campaign, const CampaignOptions& options
       .results = &results, .path = options.file, .figures = analysis_of(results), .shifts = {}};
   if (!options.earlier.empty())
     summary.shifts = shifts_since(read_results(options.earlier), results);
+  if (!options.earlier.empty() && summary.shifts.empty())
+    fmt::print(errors, "campaign: --compare: no figure of {} is one of this campaign\n",
+               options.earlier);
   write_store(campaign.out / "results.sqlite", results);
   report::write_file(campaign.out / "summary.json", to_json_text(summary));
   report::write_file(campaign.out / "index.html", to_page(summary));

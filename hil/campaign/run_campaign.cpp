@@ -67,6 +67,14 @@ int run_campaign(const CampaignOptions& options, std::FILE* out, std::FILE* erro
     const auto config = read_campaign(options.file, errors);
     return config ? run_only(*config, options, out, errors) : terminal::exit_usage;
   }
+  if (!options.earlier.empty()) {  // not after hours of runs
+    try {
+      read_results(options.earlier);
+    } catch (const std::exception& error) {
+      fmt::print(errors, "campaign: --compare: {}\n", error.what());
+      return terminal::exit_usage;
+    }
+  }
   if (options.slurm && !options.resume) largest_array();  // without Slurm nothing is begun
   const auto campaign = open_campaign(options, errors);
   if (!campaign) return terminal::exit_usage;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 
+#include "hil/campaign/plan/command_words.hpp"
 #include "hil/campaign/plan/placeholders.hpp"
 #include "hil/campaign/plan/read_parameter.hpp"
 #include "rig_config/rules/explain.hpp"
@@ -72,6 +73,9 @@ bool is_a_name(std::string_view text) {
 void check_command(const Node& root, const CampaignConfig& campaign, const std::string& path,
                    Problems& problems) {
   const Node& command = *root.find("campaign")->find("command");
+  if (!command_words(campaign.command))
+    problems.push_back(
+        {path, command.at.line, command.at.column, "/campaign/command", "a quote is not closed"});
   for (const auto& name : unknown_placeholders(campaign, campaign.command)) {
     const bool own = !is_a_name(name) || campaign.command.find("${" + name) != std::string::npos;
     if (own) continue;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <functional>
-#include <sstream>
+
+#include "hil/campaign/plan/command_words.hpp"
 
 namespace drydock::campaign {
 namespace {
@@ -68,9 +69,8 @@ std::string filled(const CampaignConfig& campaign, std::size_t index,
 
 std::vector<std::string> command_of(const CampaignConfig& campaign, std::size_t index,
                                     const std::filesystem::path& folder) {
-  std::vector<std::string> words;
-  std::istringstream command(campaign.command);
-  for (std::string word; command >> word;) words.push_back(filled(campaign, index, folder, word));
+  auto words = command_words(campaign.command).value();
+  for (auto& word : words) word = filled(campaign, index, folder, word);
   return words;
 }
 

@@ -50,9 +50,12 @@ void add_campaign(CLI::App& app, Command& command) {
       ->excludes(only);
   sub->add_option("--shards", o.shards)->group("");  // these two are for the tasks themselves
   sub->add_option("--shard", o.shard)->group("");
-  sub->callback([a, &command] {
+  sub->callback([a, sub, &command] {
     a->options.file = rig_config::find_shipped(a->options.file, rig_config::campaigns);
     a->options.slurm = a->engine == "slurm";
+    if (!a->options.slurm)
+      for (const char* option : {"--shard-runs", "--sbatch", "--detach"})
+        if (sub->count(option) > 0) throw CLI::ValidationError(option, "needs --engine slurm");
     command = [a] {
       if (a->cancel) return campaign::cancel_campaign(a->options, stdout, stderr);
       return a->status ? campaign::print_status(a->options, stdout, stderr)

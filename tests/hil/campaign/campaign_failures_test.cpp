@@ -51,6 +51,32 @@ TEST(CampaignProgram, TheReasonOfAFailureIsInItsFirstOrLastLine) {
   EXPECT_EQ(failure_of(folder, "exec no-such-program-here").substr(0, 14), "exit code 127:");
 }
 
+/// The words are those of a shell for the same text.
+TEST(CampaignProgram, QuotesInACommandHoldItsBlanksTogether) {
+  const Folder folder;
+  auto text = campaign_text("printf '{\"y\": %s}' $#", 1);
+  text.replace(text.find("command = "), 28, "command = '''sh {file:run.sh} \"a b\" c' 'd '' '''");
+  write(folder / "c.toml", text);
+  ASSERT_EQ(drydock(campaign_in(folder)).exit_code, 0);
+  EXPECT_EQ(column(folder / "out" / "results.sqlite", "SELECT y FROM runs").at(0), "3.0");
+
+  text.replace(text.find("'' '''"), 6, "' '''");
+  write(folder / "c.toml", text);
+  const auto said = drydock("check " + (folder / "c.toml").string());
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_THAT(said.output, HasSubstr("/campaign/command: a quote is not closed"));
+}
+
+/// Hours of runs would be for nothing.
+TEST(CampaignProgram, AnEarlierCampaignThatIsNotThereIsSaidBeforeTheFirstRun) {
+  const Folder folder;
+  write(folder / "c.toml", campaign_text("echo '{\"y\": 1}'", 2));
+  const auto said = drydock(campaign_in(folder) + " --compare " + (folder / "none").string());
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_THAT(said.output, HasSubstr("--compare: "));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
 TEST(CampaignProgram, AProgramThatIsNotThereIsNamed) {
   const Folder folder;
   auto text = campaign_text("", 1);

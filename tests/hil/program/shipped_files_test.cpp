@@ -35,6 +35,15 @@ TEST(ShippedFiles, AFileOfTheSameNameHereComesFirst) {
               HasSubstr("demo.toml:3:1: /rig/no_such_key: unknown key"));
 }
 
+/// Such as that of a campaign's results.
+TEST(ShippedFiles, AFolderOfTheNameHidesNoFile) {
+  const Folder folder;
+  std::filesystem::create_directory(folder / "demo");
+  EXPECT_EQ(elsewhere(folder, "check demo").exit_code, 0);
+  EXPECT_EQ(elsewhere(folder, "run demo --for 1s --speed max --report demo").exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "demo/index.html"));
+}
+
 TEST(ShippedFiles, AVehicleAndAGradeAreFoundByName) {
   const Folder folder;
   EXPECT_EQ(elsewhere(folder, "maneuver nps-auv-ii turning-circle").exit_code, 0);
