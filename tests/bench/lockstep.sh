@@ -12,7 +12,7 @@ import json, sys
 run = json.load(open(sys.argv[1]))
 resident = run["resident"]
 print(f"lockstep, {run['duration_s'] / 3600:.1f} h through wire bytes and drivers: {run['wall_s']:.1f} s, "
-      f"{run['times_real_time']:.0f} times real time (goal 2000); "
+      f"{run['times_real_time']:.0f} times real time (goal 4000); "
       f"{sum(d['messages'] for d in run['devices']) / 1e6:.1f} million measurements; "
       f"resident {resident['start_mb']:.1f} MB at first, {resident['end_mb']:.1f} MB at the end")
 P
