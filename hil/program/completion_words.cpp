@@ -73,9 +73,9 @@ std::vector<std::string> shipped_names_of(const CLI::Option& option) {
   using Kind = std::pair<std::string_view, std::string_view>;
   for (const auto& [argument, kind] :
        {Kind{"RIG", rig_config::rigs}, Kind{"VEHICLE", rig_config::vehicles},
-        Kind{"GRADE", rig_config::sensors}})
+        Kind{"GRADE", rig_config::sensors}, Kind{"CAMPAIGN", rig_config::campaigns}})
     if (name == argument) add_names(names, kind);
-  if (name == "EXAMPLE")
+  if (name == "EXAMPLE" || name == "FILES")
     for (const auto kind : rig_config::kinds_of_files) add_names(names, kind);
   return names;
 }

@@ -61,6 +61,8 @@ TEST(BashCompletion, OffersManoeuvresBehindTheVehicleAndShippedFilesBefore) {
   EXPECT_EQ(bash_offers("drydock maneuver nps-auv-ii ''"), "turning-circle zigzag spiral dive\n");
   EXPECT_EQ(bash_offers("drydock maneuver --speed 2 nps-auv-ii zi"), "zigzag\n");
   EXPECT_THAT(bash_offers("drydock run dem"), HasSubstr("demo"));
+  EXPECT_EQ(bash_offers("drydock campaign turn"), "turning\n");
+  EXPECT_THAT(bash_offers("drydock check bluero"), HasSubstr("bluerov2"));
 }
 
 TEST(BashCompletion, KnowsTheDevicesAndFaultsOfTheRigAtHand) {
@@ -152,7 +154,7 @@ TEST_F(Zsh, OffersFilesForARigAndForWhatAnOptionWrites) {
                                                             // it is there already
   EXPECT_THAT(behind, HasSubstr("--output\n"));
   EXPECT_THAT(behind, testing::Not(HasSubstr("dive.mcap")));
-  EXPECT_EQ(offers("drydock check pier.toml d"), "dive.mcap\n");
+  EXPECT_EQ(offers("drydock check pier.toml di"), "digiquartz\ndive.mcap\n");
   EXPECT_EQ(offers("drydock replay d"), "dive.mcap\n");
 }
 
