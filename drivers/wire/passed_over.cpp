@@ -61,6 +61,29 @@ std::string identifier_name(const CanFrame& frame) {
                         : fmt::format("identifier {:03X}", frame.id);
 }
 
+/// CiA 301, 7.3.5 (predefined connection set); CiA 305 for LSS. Empty: free for the user.
+std::string canopen_text(const CanFrame& frame) {
+  struct Object {
+    std::uint32_t base;
+    std::string_view name;
+  };
+  constexpr std::array of_a_node{
+      Object{0x080, "emergency"},  Object{0x180, "TPDO1"},       Object{0x200, "RPDO1"},
+      Object{0x280, "TPDO2"},      Object{0x300, "RPDO2"},       Object{0x380, "TPDO3"},
+      Object{0x400, "RPDO3"},      Object{0x480, "TPDO4"},       Object{0x500, "RPDO4"},
+      Object{0x580, "SDO answer"}, Object{0x600, "SDO request"}, Object{0x700, "heartbeat"}};
+  constexpr std::array of_all{Object{0x000, "NMT"}, Object{0x080, "SYNC"}, Object{0x100, "TIME"},
+                              Object{0x7E4, "LSS"}, Object{0x7E5, "LSS"}};
+  if (frame.extended) return {};
+  if (const auto found = std::ranges::find(of_all, frame.id, &Object::base); found != of_all.end())
+    return fmt::format(" {}", found->name);
+  constexpr std::uint32_t node_mask = 0x7F;
+  const std::uint32_t node = frame.id & node_mask;
+  const auto found = std::ranges::find(of_a_node, frame.id & ~node_mask, &Object::base);
+  return node == 0 || found == of_a_node.end() ? ""
+                                               : fmt::format(" {} of node {}", found->name, node);
+}
+
 std::string pgn_text(std::uint32_t pgn) {
   std::string_view name = nmea2000::pgn_name(pgn);
   if (name.empty()) name = j1939::pgn_name(pgn);
@@ -80,7 +103,8 @@ std::string frame_name(const CanFrame& frame, Network network) {
   if (frame.error) return "error frame";
   if (frame.remote) return "request for " + identifier_name(frame);
   const auto id = j1939::identify(frame);
-  return id && network == Network::j1939 ? pgn_text(id->pgn) : identifier_name(frame);
+  if (id && network == Network::j1939) return pgn_text(id->pgn);
+  return identifier_name(frame) + (network == Network::canopen ? canopen_text(frame) : "");
 }
 
 std::string block_name(std::uint16_t id) {

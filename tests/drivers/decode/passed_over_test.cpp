@@ -3,14 +3,17 @@
 #include <gmock/gmock.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <numeric>
 #include <set>
 #include <sstream>
 #include <string>
 
+#include "drivers/wire/nmea2000/pgn_name.hpp"
 #include "tests/drivers/decode/captured.hpp"
 #include "tests/drivers/decode/corpora.hpp"
+#include "tests/npm/node.hpp"
 
 namespace drydock::decode {
 namespace passed_over_test {
@@ -168,9 +171,10 @@ TEST(PassedOver, PgnsAreNamedWithNumberAndSubject) {
   EXPECT_THAT(passed_over("nmea2000", log),
               ElementsAre(Pair("PGN 130306 wind", 1), Pair("PGN 130394", 1),
                           Pair("PGN 65361 proprietary", 1), Pair("identifier 123", 1)));
-  EXPECT_THAT(passed_over("aceinna", log),
-              ElementsAre(Pair("PGN 127250", 1), Pair("PGN 130306 wind", 1), Pair("PGN 130394", 1),
-                          Pair("PGN 65361 proprietary", 1), Pair("identifier 123", 1)));
+  EXPECT_THAT(
+      passed_over("aceinna", log),
+      ElementsAre(Pair("PGN 127250 heading", 1), Pair("PGN 130306 wind", 1), Pair("PGN 130394", 1),
+                  Pair("PGN 65361 proprietary", 1), Pair("identifier 123", 1)));
 }
 
 /// SAE J1939-71 and -73.
@@ -186,10 +190,15 @@ TEST(PassedOver, ParameterGroupsOfJ1939AreNamed) {
 }
 
 TEST(PassedOver, FramesOfOtherNetworksAreNamedByIdentifier) {
-  const std::string log = "(1.0) can0 7E5#\n(1.1) can0 20000004#0004\n(1.2) can0 199#R8\n";
-  EXPECT_THAT(passed_over("cia404-pressure", log),
-              ElementsAre(Pair("error frame", 1), Pair("identifier 7E5", 1),
-                          Pair("request for identifier 199", 1)));
+  const std::string log =
+      "(1.0) can0 7E5#\n(1.1) can0 20000004#0004\n(1.2) can0 199#R8\n(1.3) can0 080#\n"
+      "(1.4) can0 2FF#00\n(1.5) can0 605#4018100100000000\n(1.6) can0 6FF#00\n";
+  EXPECT_THAT(
+      passed_over("cia404-pressure", log),
+      ElementsAre(Pair("error frame", 1), Pair("identifier 080 SYNC", 1),
+                  Pair("identifier 2FF TPDO2 of node 127", 1),
+                  Pair("identifier 605 SDO request of node 5", 1), Pair("identifier 6FF", 1),
+                  Pair("identifier 7E5 LSS", 1), Pair("request for identifier 199", 1)));
   EXPECT_THAT(passed_over("xsens", "(1.0) can0 7E5#00\n"), ElementsAre(Pair("identifier 7E5", 1)));
 }
 
@@ -206,6 +215,21 @@ TEST_F(Corpora, WhatIsPassedOverOfARealBusIsTheRestOfWhatCanboatNames) {
   EXPECT_EQ(counts.at("PGN 130306 wind"), 18);
   EXPECT_EQ(counts.at("PGN 65379 proprietary"), 17);
   EXPECT_EQ(counts.count("PGN 127250"), 0U);
+}
+
+/// canboat's database has 337 PGNs that are not the fallback of a range.
+TEST(PassedOver, EveryPgnOfCanboatsDatabaseHasAName) {
+  DRYDOCK_NEEDS_NODE();
+  const auto database = nlohmann::json::parse(
+      read_file(DRYDOCK_SOURCE_DIR "/build/npm/node_modules/@canboat/ts-pgns/canboat.json"));
+  std::size_t checked = 0;
+  for (const auto& pgn : database["PGNs"]) {
+    if (pgn.value("Fallback", false)) continue;
+    EXPECT_FALSE(wire::nmea2000::pgn_name(pgn["PGN"]).empty())
+        << pgn["PGN"] << " " << pgn["Description"];
+    ++checked;
+  }
+  EXPECT_GT(checked, 300U);
 }
 
 }  // namespace passed_over_test
