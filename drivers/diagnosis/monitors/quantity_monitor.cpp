@@ -27,7 +27,7 @@ double QuantityMonitor::minus(double a, double b) const {
 
 QuantityMonitor::News QuantityMonitor::add(double value, Stamp at) {
   const double period_s = samples_ > 0 ? measurement::seconds(at - last_at_) : 0;
-  if (known_ && period_s > longest_pause * usual_period_s_) samples_ = 0;
+  if (is_pause(period_s)) samples_ = 0;
   last_ = {value, last_[0], last_[1], last_[2]};
   last_at_ = at;
   samples_ = std::min(samples_ + 1, 4U);
@@ -44,6 +44,12 @@ QuantityMonitor::News QuantityMonitor::add(double value, Stamp at) {
     learn(bend, at, period_s);
   news.coarse = coarse.value_or(0);
   return news;
+}
+
+/// While it still learns, only a pause of more than a second is looked at.
+bool QuantityMonitor::is_pause(double period_s) {
+  if (known_) return period_s > longest_pause * usual_period_s_;
+  return period_s > 1 && periods_.count() > 0 && period_s > longest_pause * periods_.quantile(0.5);
 }
 
 void QuantityMonitor::learn(double bend, Stamp at, double period_s) {
@@ -105,13 +111,14 @@ QuantityMonitor::News QuantityMonitor::judge(double period_s, Stamp at) {
   news.noisy = noise_.fired();
   if (samples_ < 4 || facts.slope == 0 || period_s <= 0) return news;
   const double noise = step_beyond * sigma_ / noise_of_bend * std::numbers::sqrt2;
-  const double limit = facts.slope * std::max(period_s, 0.05) + noise;
+  const auto limit = [&](double took_s) { return facts.slope * std::max(took_s, 0.05) + noise; };
   const double before = minus(last_[2], last_[3]);
   const double step = into - rate_ * took_s_[1];
-  if (std::abs(step) > limit && std::abs(out_of - rate_ * took_s_[0]) < limit / 2 &&
-      std::abs(before - rate_ * took_s_[2]) < limit / 2) {
+  if (std::abs(step) > limit(took_s_[1]) &&
+      std::abs(out_of - rate_ * took_s_[0]) < limit(took_s_[0]) / 2 &&
+      std::abs(before - rate_ * took_s_[2]) < limit(took_s_[2]) / 2) {
     news.jump = step;
-    news.most = limit;
+    news.most = limit(took_s_[1]);
   }
   return news;
 }

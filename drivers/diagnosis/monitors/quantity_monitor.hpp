@@ -49,6 +49,7 @@ class QuantityMonitor {
 
  private:
   double minus(double a, double b) const;
+  bool is_pause(double period_s);
   void learn(double bend, Stamp at, double period_s);
   void hold_to_grade(double half_step);
   News judge(double period_s, Stamp at);

@@ -161,4 +161,28 @@ TEST(Sameness, SaysNothingOfASensorThatStoodStillForAWhile) {
   EXPECT_FALSE(sameness.impossible_run());
 }
 
+/// 3 m/s to the east, a fix a second, and none for 20 s: when the receiver is still learned, and
+/// later.
+TEST(PositionThatIsWatched, OfADiveWithoutAFixIsNoJumpWheneverItIs) {
+  for (const int lost_at : {20, 40, 46, 60, 200}) {
+    QuantityMonitor monitor{Quantity::east};
+    for (int i = 0; i < 300; ++i) {
+      if (i > lost_at && i < lost_at + 21) continue;
+      EXPECT_EQ(monitor.add(3.0 * i, at_s(i)).jump, 0) << lost_at << " " << i;
+    }
+  }
+}
+
+/// Three seconds of a fast boat at 19 m/s are 57 m, and a step of 20 m in a second is none of it.
+TEST(PositionThatIsWatched, MayMoveForAsLongAsAFixIsLate) {
+  for (const int lost : {0, 2}) {
+    QuantityMonitor monitor{Quantity::east};
+    double at = 0, jump = 0;
+    for (int i = 0; i < 120; ++i) jump += monitor.add(at += 3, at_s(i)).jump;
+    at += 3 + 19 * (1 + lost);
+    for (int i = 120 + lost; i < 140; ++i) jump += monitor.add(at += 3, at_s(i)).jump;
+    EXPECT_EQ(jump, 0) << lost;
+  }
+}
+
 }  // namespace drydock::diagnosis::quantity_monitor_test
