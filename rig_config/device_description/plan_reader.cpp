@@ -47,6 +47,7 @@ class PlanReader {
       if (problems_.empty()) finish(*messages);
     }
     description_.start = read_requests(root_, "start", description_, file_, problems_);
+    answer_as_wanted(plan(), description_.start);
     description_.poll = read_requests(root_, "poll", description_, file_, problems_);
     return std::move(description_);
   }

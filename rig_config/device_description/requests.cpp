@@ -74,4 +74,15 @@ std::vector<described::Request> read_requests(const Node& root, const char* grou
   return requests;
 }
 
+void answer_as_wanted(described::Plan& plan, const std::vector<described::Request>& requests) {
+  for (const auto& request : requests)
+    for (const auto& wanted : request.says) {
+      const auto reply = std::ranges::find(plan.messages, request.reply, &described::Message::name);
+      if (reply == plan.messages.end()) continue;
+      const auto fields = std::span(plan.fields).subspan(reply->first_field, reply->fields);
+      const auto field = std::ranges::find(fields, wanted.field, &described::Field::key);
+      if (field != fields.end() && field->idle == 0) field->idle = wanted.value;
+    }
+}
+
 }  // namespace drydock::rig_config

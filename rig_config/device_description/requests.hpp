@@ -15,4 +15,8 @@ std::vector<wire::described::Request> read_requests(const Node& root, const char
                                                     const wire::described::Description& description,
                                                     const std::string& file, Problems& problems);
 
+/// An emulated device says what a request wants to hear, where no 'emulate' says another number.
+void answer_as_wanted(wire::described::Plan& plan,
+                      const std::vector<wire::described::Request>& requests);
+
 }  // namespace drydock::rig_config

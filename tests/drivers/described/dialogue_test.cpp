@@ -116,6 +116,33 @@ TEST(DescribedDevices, AnEmulatedOneRefusesUnderTheFaultNak) {
   EXPECT_EQ(answer(true), "$PNO,\r\n");
 }
 
+/// What the start wants to hear; with `emulate = 3` it refuses, as a sensor may that was set
+/// otherwise.
+TEST(DescribedDevices, AnEmulatedOneSaysWhatTheStartWantsToHear) {
+  const auto answer = [](const std::string& emulate) {
+    const emulate::Frozen truth(emulate::under_way());
+    auto config = emulate::device(Kind::depth, "set.toml", 1);
+    config.description = described(
+        "[sensor]\ntitle = \"x\"\nkind = \"depth\"\n[protocol]\n"
+        "checksum = \"none\"\n[[protocol.sentences]]\nid = \"$PD\"\n"
+        "fields = [{field = \"depth_m\", unit = \"m\"}]\n"
+        "[[protocol.sentences]]\nid = \"$POK\"\n"
+        "fields = [{name = \"mode\", decimals = 0" +
+        emulate +
+        "}]\n[[start]]\n"
+        "send = \"$PSET\\r\\n\"\nreply = \"POK\"\nsays = {mode = 2}\n");
+    const auto device = emulate::make_emulated_device(config, truth, 1, {truth.start(), nullptr});
+    emulate::Recorder sent;
+    const std::string asked = "$PSET\r\n";
+    (*device)->receive({reinterpret_cast<const std::uint8_t*>(asked.data()), asked.size()},
+                       truth.start(), sent);
+    const auto bytes = sent.all_bytes();
+    return std::string(bytes.begin(), bytes.end());
+  };
+  EXPECT_EQ(answer(""), "$POK,2\r\n");
+  EXPECT_EQ(answer(", emulate = 3"), "$POK,3\r\n");
+}
+
 /// The sensor's manual: UN=3 is bar, UN=1 psi. 36.2594 psi are 250 000 Pa.
 TEST(DescribedDrivers, ADigiquartzThatKeepsItsUnitIsARefusalAndNoDepth) {
   Heard heard;
