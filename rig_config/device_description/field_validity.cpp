@@ -26,7 +26,8 @@ void read_validity(const Node& table, const FieldContext& context, Field& field,
   const bool texts = field.type == Type::text;
   for (const Node& one : good ? good->items : std::vector<Node>{}) {
     if (texts != (one.kind == Node::Kind::text))
-      add(one, texts ? "a field of type text has texts here" : "a number is expected here");
+      add(one, texts ? "a field of type text has texts here"
+                     : "a number is expected here, or type = \"text\" for the field");
     if (texts)
       rule.good_texts.push_back(one.text);
     else
