@@ -18,17 +18,14 @@ namespace drydock::endurance {
 
 namespace {
 
-/// Allowed growth of memory from half of the run to its end: the system gives memory in pages.
-/// Before that, what the report keeps of a run (bounded) fills up.
-constexpr double most_growth_mb = 1;
-
 /// Resident memory at the end minus that after half of the run.
 double growth_mb(const summary::ResidentTrace& resident) {
   const std::size_t count = resident.megabytes.size();
   return count < 10 ? 0 : resident.megabytes.back() - resident.megabytes[count / 2];
 }
 
-std::vector<std::string> troubles_of(const summary::Summary& summary, const SoakWatch& watch) {
+std::vector<std::string> troubles_of(const summary::Summary& summary, const SoakWatch& watch,
+                                     double most_growth_mb) {
   std::vector<std::string> all = watch.troubles();
   const double grown = growth_mb(summary.resident);
   if (grown > most_growth_mb)
@@ -127,7 +124,7 @@ int soak(rig_config::Rig rig, const SoakOptions& options, std::FILE* out) {
   run.curve_points = 300;  // stored curves must not look like a leak
   run.followers = {&watch};
   const summary::Summary summary = bench::run_lockstep(rig, run);
-  auto troubles = troubles_of(summary, watch);
+  auto troubles = troubles_of(summary, watch, options.most_growth_mb);
   if (bench::verdict_of_short_run(summary, run.duration_s))
     troubles.push_back(bench::short_run_in_words(summary, run.duration_s));
   print(summary, watch, troubles, out);

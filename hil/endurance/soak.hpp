@@ -12,7 +12,10 @@ struct SoakOptions {
   std::uint64_t seed = 1;         ///< of the sensors' errors and of the faults
   double fault_interval_s = 600;  ///< mean, per device
   bool faults = true;             ///< false: a healthy run, in which every finding is a false alarm
-  std::string json, report;       ///< file, folder; empty: none
+  /// From half of the run to its end: the system gives memory in pages. Before that, what the
+  /// report keeps of a run (bounded) fills up.
+  double most_growth_mb = 1;
+  std::string json, report;  ///< file, folder; empty: none
 };
 
 /// Runs a rig in lockstep for a long time under random faults. It checks that memory does not grow,
