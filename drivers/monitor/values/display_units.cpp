@@ -23,6 +23,7 @@ constexpr std::array display_units{
     DisplayUnit{"r/min", "_radps", 1 / units::revolution_per_minute, 0, 2},
     DisplayUnit{"rad/s", "_radps", 1, 0, 3},
     DisplayUnit{"dBHz", "_dbhz", 1, 0, 1},
+    DisplayUnit{"ppt", "_ppt", 1, 0, 1},
     DisplayUnit{"m/s", "_mps", 1, 0, 3},
     DisplayUnit{"kn", "_mps", 1 / units::knot, 0, 3},
     DisplayUnit{"km/h", "_mps", 1 / units::kilometre_per_hour, 0, 2},

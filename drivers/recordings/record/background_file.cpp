@@ -5,9 +5,7 @@
 namespace drydock::record {
 
 BackgroundFile::BackgroundFile(FileSeries file)
-    : file_(std::move(file)),
-      empty_(most_waiting),
-      progress_{file_.error(), file_.size()} {
+    : file_(std::move(file)), empty_(most_waiting), progress_{file_.error(), file_.size()} {
   waiting_.reserve(most_waiting);
   thread_ = std::thread([this] { work(); });  // last: it reads all of the above
 }

@@ -1,31 +1,28 @@
 #include "hil/campaign/plan/command_words.hpp"
 
-#include <cctype>
-#include <utility>
+#include <algorithm>
 
 namespace drydock::campaign {
 
 std::optional<std::vector<std::string>> command_words(std::string_view command) {
+  constexpr std::string_view blanks = " \t\r\n";
   std::vector<std::string> words;
-  std::optional<std::string> word;
-  char quote = 0;
-  for (const char c : command) {
-    const bool blank = std::isspace(static_cast<unsigned char>(c)) != 0;
-    if (quote == 0 && blank) {
-      if (word) words.push_back(*std::exchange(word, {}));
-      continue;
+  while (true) {
+    const auto begin = command.find_first_not_of(blanks);
+    if (begin == command.npos) return words;
+    command.remove_prefix(begin);
+    std::string word;
+    if (const char quote = command.front(); quote == '\'' || quote == '"') {
+      const auto end = command.find(quote, 1);
+      if (end == command.npos) return {};
+      word = command.substr(1, end - 1);
+      command.remove_prefix(end + 1);
     }
-    if (!word) word.emplace();
-    if (quote == 0 && (c == '\'' || c == '"'))
-      quote = c;
-    else if (c == quote)
-      quote = 0;
-    else
-      *word += c;
+    const auto end = std::min(command.find_first_of(blanks), command.size());
+    word += command.substr(0, end);
+    command.remove_prefix(end);
+    words.push_back(std::move(word));
   }
-  if (quote != 0) return {};
-  if (word) words.push_back(std::move(*word));
-  return words;
 }
 
 }  // namespace drydock::campaign

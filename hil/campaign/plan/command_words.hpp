@@ -7,8 +7,9 @@
 
 namespace drydock::campaign {
 
-/// The words of a command, between blanks. Quotes ('...' and "...") hold blanks together and are
-/// taken off, as in a shell; nothing else has a meaning. Empty: a quote is not closed.
+/// The words of a command, between blanks. A word that begins with a quote (' or ") goes to the
+/// next one, blanks and all, and both are taken off. Inside a word a quote is a character as any
+/// other: JSON has them. Empty: a quote is not closed.
 std::optional<std::vector<std::string>> command_words(std::string_view command);
 
 }  // namespace drydock::campaign

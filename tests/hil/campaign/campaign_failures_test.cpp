@@ -51,11 +51,10 @@ TEST(CampaignProgram, TheReasonOfAFailureIsInItsFirstOrLastLine) {
   EXPECT_EQ(failure_of(folder, "exec no-such-program-here").substr(0, 14), "exit code 127:");
 }
 
-/// The words are those of a shell for the same text.
 TEST(CampaignProgram, QuotesInACommandHoldItsBlanksTogether) {
   const Folder folder;
   auto text = campaign_text("printf '{\"y\": %s}' $#", 1);
-  text.replace(text.find("command = "), 28, "command = '''sh {file:run.sh} \"a b\" c' 'd '' '''");
+  text.replace(text.find("command = "), 28, "command = '''sh {file:run.sh} \"a b\" 'c d' '' '''");
   write(folder / "c.toml", text);
   ASSERT_EQ(drydock(campaign_in(folder)).exit_code, 0);
   EXPECT_EQ(column(folder / "out" / "results.sqlite", "SELECT y FROM runs").at(0), "3.0");
