@@ -34,6 +34,15 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Which device reads which capture is the person's to say where it is not plain.
+replay::OtherRig laid(const std::string& rig_file, const replay::RigCaptures& captures) {
+  try {
+    return replay::lay(replay::rig_in(rig_file), captures);
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
 /// A recording with the rig that reads it.
 struct Source {
   record::Recording recording;
@@ -81,15 +90,15 @@ Gathered gather_recording(const std::string& path, const record::Selection& part
 
 Gathered gather_captures(const replay::RigCaptures& captures, const std::string& rig_file,
                          const record::Selection& part, host::Follower* also) {
-  auto laid = replay::lay(replay::rig_in(rig_file), captures);
-  auto made = replay::record_capture(laid.rig);
-  Source source{std::move(made.recording), std::move(laid.rig), std::move(made.ends),
+  auto read_by = laid(rig_file, captures);
+  auto made = replay::record_capture(read_by.rig);
+  Source source{std::move(made.recording), std::move(read_by.rig), std::move(made.ends),
                 made.of_arrival};
   Gathered gathered = gathered_from(source, part, also);
   std::vector<std::string> files;
   for (const auto& file : captures.files) files.push_back(file.path);
   gathered.source = fmt::format("{}", fmt::join(files, ", "));
-  std::ranges::move(laid.notes, std::back_inserter(gathered.notes));
+  std::ranges::move(read_by.notes, std::back_inserter(gathered.notes));
   std::ranges::move(made.notes, std::back_inserter(gathered.notes));
   return gathered;
 }

@@ -20,7 +20,8 @@ Gathered gather_capture(const decode::ReplayOptions& capture, const record::Sele
                         const std::string& rig_file = {}, host::Follower* also = nullptr);
 
 /// Plays captures through the devices of a rig that read them (replay/rigs/laid_capture.hpp).
-/// Throws std::exception with one line.
+/// Throws std::invalid_argument where it is not plain which does, std::runtime_error where one
+/// cannot be read; both have one line.
 Gathered gather_captures(const replay::RigCaptures& captures, const std::string& rig_file,
                          const record::Selection& part = {}, host::Follower* also = nullptr);
 

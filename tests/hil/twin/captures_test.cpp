@@ -78,6 +78,14 @@ TEST_F(CapturesOfARun, OfALineAndOfABusStandBesideEachOther) {
   EXPECT_EQ(count(smoothing::Quantity::fix), 0);
 }
 
+/// As `replay` does with the same words.
+TEST_F(CapturesOfARun, ThatSeveralFilesMayBeOfOneDeviceAreWrongUsage) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(track::track(of({{file("all.pcapng")}, {file("can.log")}}), stdout, stderr), 2);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("imu=FILE names the file"),
+            std::string::npos);
+}
+
 TEST_F(CapturesOfARun, MakeATwinOfTheirSensorsAlone) {
   TwinOptions options;
   options.source = of({{file("lines/gnss.bin")}, {file("lines/dvl.bin")}});
