@@ -19,13 +19,14 @@ struct LengthField {
 /// Frames that begin alike.
 struct BinaryGuess {
   std::size_t sync = 2;               ///< bytes with which each frame begins
-  std::optional<LengthField> length;  ///< empty: all have the length of the first
+  std::optional<LengthField> length;  ///< empty: all of one identifier have one length
   std::optional<Sum> sum;
   Frames frames;
   wire::described::Stuffing stuffing = wire::described::Stuffing::none;
   /// What `frames` look at, where they were stuffed.
   std::shared_ptr<const std::vector<std::vector<std::uint8_t>>> packets{};
-  std::size_t stuffed_bytes = 0;  ///< of them, with their delimiters
+  std::size_t stuffed_bytes = 0;       ///< of them, with their delimiters
+  std::optional<std::size_t> id_at{};  ///< the identifier that tells the length
 
   std::size_t bytes() const;  ///< of the capture, in all frames
   bool has_one_length() const;
@@ -35,6 +36,10 @@ struct BinaryGuess {
 /// The guess that most bytes follow; with a checksum, before those without. Empty: none is
 /// plausible.
 std::optional<BinaryGuess> guess_lengths(wire::Bytes capture);
+
+/// Where no field says the length but an identifier behind the sync tells it: messages of fixed
+/// lengths in one stream. Empty: none is plausible.
+std::optional<BinaryGuess> guess_ids(wire::Bytes capture);
 
 /// Frames of one length, by the distance at which bytes repeat: the shortest with a checksum that
 /// is right.

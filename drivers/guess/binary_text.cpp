@@ -4,7 +4,9 @@
 #include <array>
 
 #include "drivers/guess/binary_guess.hpp"
+#include "drivers/guess/guess_counters.hpp"
 #include "drivers/guess/guess_messages.hpp"
+#include "drivers/guess/header_sum.hpp"
 #include "drivers/wire/described/plan.hpp"
 
 namespace drydock::guess {
@@ -16,7 +18,10 @@ std::string order_of(bool big_endian) { return big_endian ? ", order = \"big\"" 
 
 std::string field_text(const Guessed& one) {
   if (one.looks == Guessed::Looks::counter)
-    return fmt::format("  {{ at = {}, type = \"u8\", name = \"counter_{}\" }},\n", one.at, one.at);
+    return fmt::format(
+        "  {{ at = {}, type = \"{}\", name = \"counter_{}\"{} }},{}\n", one.at, one.type, one.at,
+        order_of(one.big_endian),
+        one.size > 1 ? fmt::format("  # {:.10g} to {:.10g}", one.low, one.high) : "");
   return fmt::format("  {{ at = {}, type = \"{}\", name = \"at_{}\"{} }},  # {:.6g} to {:.6g}\n",
                      one.at, one.type, one.at, order_of(one.big_endian), one.low, one.high);
 }
@@ -40,8 +45,9 @@ struct Constants {
 /// Runs of constant bytes, which only a comment names, and fields until they are too many.
 class FieldList {
  public:
-  FieldList(const BinaryGuess& guess, const MessageGuesses& kinds, const MessageGuess& kind)
-      : guess_(guess), kinds_(kinds), kind_(kind) {}
+  FieldList(const BinaryGuess& guess, const MessageGuesses& kinds, const MessageGuess& kind,
+            const std::optional<HeaderSum>& header)
+      : guess_(guess), kinds_(kinds), kind_(kind), header_(header) {}
 
   std::string text() {
     const std::size_t tail =
@@ -50,9 +56,9 @@ class FieldList {
     std::vector<std::size_t> known = kinds_.id_at;  // and the length
     for (std::size_t i = 0; guess_.length && i < guess_.length->size; ++i)
       known.push_back(guess_.length->at + i);
-    for (const Guessed& one :
-         guess_numbers(kind_.frames, guess_.sync, kind_.shortest - tail, known))
-      add(one);
+    if (header_)
+      for (std::size_t i = 0; i < header_->checksum.size(); ++i) known.push_back(header_->at + i);
+    for (const Guessed& one : fields(known, kind_.shortest - tail)) add(one);
     end_constants();
     if (left_out_ > 0) text_ += fmt::format("  # and {} more that change\n", left_out_);
     if (kind_.longest > kind_.shortest)
@@ -61,6 +67,24 @@ class FieldList {
   }
 
  private:
+  /// Counters, those first that count the frames of all kinds, and the numbers between them.
+  std::vector<Guessed> fields(std::vector<std::size_t> known, std::size_t end) const {
+    std::vector<Guessed> all;
+    const auto take = [&](const std::vector<Guessed>& counters) {
+      for (const Guessed& one : counters)
+        for (std::size_t i = 0; i < one.size; ++i) known.push_back(one.at + i);
+      all.insert(all.end(), counters.begin(), counters.end());
+    };
+    const std::size_t shortest = std::ranges::min(kinds_.all, {}, &MessageGuess::shortest).shortest;
+    const std::size_t tail = kind_.shortest - end;
+    take(guess_counters(guess_.frames, guess_.sync, shortest - tail, known));
+    take(guess_counters(kind_.frames, guess_.sync, end, known));
+    const auto numbers = guess_numbers(kind_.frames, guess_.sync, end, known);
+    all.insert(all.end(), numbers.begin(), numbers.end());
+    std::ranges::sort(all, {}, &Guessed::at);
+    return all;
+  }
+
   /// Identifiers that the sync cannot have with it, as constants.
   void identify() {
     for (std::size_t i = 0; i < kinds_.id_at.size(); ++i) {
@@ -97,6 +121,7 @@ class FieldList {
   const BinaryGuess& guess_;
   const MessageGuesses& kinds_;
   const MessageGuess& kind_;
+  const std::optional<HeaderSum>& header_;
   std::string text_;
   Constants constants_;
   std::size_t fields_ = 0, left_out_ = 0;
@@ -110,9 +135,9 @@ std::string sync_text(const BinaryGuess& guess, const MessageGuesses& kinds, Byt
 }
 
 /// Of packets the delimiters tell it.
-std::string length_text(const BinaryGuess& guess) {
+std::string length_text(const BinaryGuess& guess, const MessageGuess& kind) {
   if (guess.packets) return {};
-  if (!guess.length) return fmt::format("length = {}\n", guess.frames[0].size());
+  if (!guess.length) return fmt::format("length = {}\n", kind.frames[0].size());
   const LengthField& field = *guess.length;
   return fmt::format("length = {{ at = {}, type = \"u{}\"{}{} }}\n", field.at, 8 * field.size,
                      field.size > 1 ? order_of(field.big_endian) : "",
@@ -120,14 +145,14 @@ std::string length_text(const BinaryGuess& guess) {
 }
 
 std::string message_text(const BinaryGuess& guess, const MessageGuesses& kinds,
-                         const MessageGuess& kind) {
+                         const MessageGuess& kind, const std::optional<HeaderSum>& header) {
   std::string name = "frame";
   for (const std::uint8_t byte : kind.id) name += fmt::format("_{:02X}", byte);
   return fmt::format(
       "\n[[protocol.binary]]             # {} frames\nname = \"{}\"\n{}{}"
       "fields = [\n{}]\n",
-      kind.frames.size(), name, sync_text(guess, kinds, kind.frames[0]), length_text(guess),
-      FieldList(guess, kinds, kind).text());
+      kind.frames.size(), name, sync_text(guess, kinds, kind.frames[0]), length_text(guess, kind),
+      FieldList(guess, kinds, kind, header).text());
 }
 
 std::string_view name_of(wire::described::Stuffing stuffing) {
@@ -145,16 +170,21 @@ std::string explained_text(const BinaryGuess& guess, std::size_t capture_bytes) 
 }
 
 std::string protocol_text(const BinaryGuess& guess, const MessageGuesses& kinds,
-                          std::size_t capture_bytes) {
+                          std::size_t capture_bytes, const std::optional<HeaderSum>& header) {
   std::string text = "\n[protocol]\n" + explained_text(guess, capture_bytes);
   constexpr std::size_t usual = 1024;
   const auto longest = std::ranges::max(kinds.all, {}, &MessageGuess::longest).longest;
   if (longest > usual) text += fmt::format("longest = {}\n", wire::described::longest_frame);
   if (guess.packets) text += fmt::format("stuffing = \"{}\"\n", name_of(guess.stuffing));
-  if (!guess.sum) return text + "# no checksum was found\n";
+  if (header) text += header->text();
+  if (!guess.sum) {
+    if (header && header->big_endian) text += "checksum_order = \"big\"\n";
+    return text +
+           (header ? "# of whole frames no checksum was found\n" : "# no checksum was found\n");
+  }
   const Sum& sum = *guess.sum;
   text += fmt::format("checksum = \"{}\"\n", sum.checksum.name());
-  if (sum.big_endian) text += "checksum_order = \"big\"\n";
+  if (sum.big_endian || (header && header->big_endian)) text += "checksum_order = \"big\"\n";
   if (sum.from > 0) text += fmt::format("checksum_from = {}\n", sum.from);
   if (sum.behind > 0)
     text += fmt::format("end = \"{}\"\n", hex_of(guess.frames[0].last(sum.behind)));
@@ -165,11 +195,12 @@ std::string protocol_text(const BinaryGuess& guess, const MessageGuesses& kinds,
 
 std::string binary_text(const BinaryGuess& guess, std::size_t capture_bytes) {
   const MessageGuesses kinds = guess_messages(guess);
-  std::string text = protocol_text(guess, kinds, capture_bytes), left_out;
+  const auto header = guess_header_sum(guess);
+  std::string text = protocol_text(guess, kinds, capture_bytes, header), left_out;
   for (std::size_t i = 0; i < kinds.all.size(); ++i) {
     const MessageGuess& kind = kinds.all[i];
     if (i < wire::described::most_messages)
-      text += message_text(guess, kinds, kind);
+      text += message_text(guess, kinds, kind, header);
     else
       left_out += fmt::format("# {} frames {}\n", kind.frames.size(), hex_of(kind.id));
   }

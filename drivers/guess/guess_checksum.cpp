@@ -13,8 +13,9 @@ using wire::Bytes;
 using wire::described::Checksum;
 
 constexpr std::size_t most_checked = 256;
-/// Behind the sync come at most a class, an identifier and a length that a checksum leaves out.
-constexpr std::size_t furthest_start = 4;
+/// Behind the sync come at most a class, an identifier and a length that a CRC leaves out. A sum of
+/// the payload alone leaves out a count or a time too.
+constexpr std::size_t furthest_start = 4, furthest_start_of_sum = 12;
 constexpr std::size_t most_behind = 2;  ///< CR LF, ETX
 
 const std::vector<Checksum>& all_checksums() {
@@ -49,6 +50,15 @@ bool end_alike(const Frames& frames, std::size_t behind) {
   });
 }
 
+/// From all of the capture: a count that begins with FF 01 adds nothing to a sum for a while.
+Frames some_of(const Frames& frames) {
+  if (frames.size() <= most_checked) return frames;
+  Frames some;
+  for (std::size_t i = 0; i < most_checked; ++i)
+    some.push_back(frames[i * frames.size() / most_checked]);
+  return some;
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> Sum::right_in(Bytes frame) const {
@@ -62,13 +72,14 @@ std::optional<std::uint32_t> Sum::right_in(Bytes frame) const {
 }
 
 std::optional<Sum> guess_checksum(const Frames& frames) {
-  const auto some = std::span(frames).first(std::min(frames.size(), most_checked));
+  const Frames some = some_of(frames);
   std::optional<Sum> best;
   std::size_t fewest = some.size();
   for (std::size_t behind = 0; behind <= most_behind; ++behind) {
     if (!end_alike(frames, behind)) continue;
     for (const Checksum& checksum : all_checksums())
-      for (std::size_t from = 0; from <= furthest_start; ++from)
+      for (std::size_t from = 0;
+           from <= (checksum.is_crc() ? furthest_start : furthest_start_of_sum); ++from)
         for (const bool big : {false, true}) {
           if (big && checksum.size() == 1) continue;
           const Sum sum{checksum, big, from, behind};

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "drivers/guess/syncs.hpp"
 #include "drivers/wire/described/plan.hpp"
 
 /// A sync, a length and how much it leaves out belong together where the byte behind a frame so
@@ -14,42 +15,10 @@ namespace {
 
 using wire::Bytes;
 
-constexpr std::size_t fewest_frames = 4, shortest = 6, furthest_length = 10, most_plus = 64;
+constexpr std::size_t fewest_frames = 4, furthest_length = 10, most_plus = 64;
+constexpr std::size_t shortest = shortest_synced_frame;
 constexpr std::size_t longest = wire::described::longest_frame;
 constexpr std::size_t most_tried = 128, neighbours = 3;
-
-/// Every place at which these bytes stand.
-struct Sync {
-  std::array<std::uint8_t, 2> bytes{};
-  std::size_t size = 2;
-  std::vector<std::uint32_t> places;
-
-  bool stands(Bytes capture, std::size_t at) const {
-    return at + size <= capture.size() && capture[at] == bytes[0] &&
-           (size == 1 || capture[at + 1] == bytes[1]);
-  }
-};
-
-std::vector<Sync> syncs_of(Bytes capture) {
-  std::vector<Sync> pairs(0x10000), singles(0x100);
-  for (std::size_t i = 0; i + 1 < capture.size(); ++i) {
-    const auto place = static_cast<std::uint32_t>(i);
-    pairs[capture[i] << 8 | capture[i + 1]].places.push_back(place);
-    singles[capture[i]].places.push_back(place);
-  }
-  std::vector<Sync> all;
-  for (std::size_t i = 0; i < pairs.size() + singles.size(); ++i) {
-    const bool pair = i < pairs.size();
-    Sync& one = pair ? pairs[i] : singles[i - pairs.size()];
-    if (one.places.size() < fewest_frames || one.places.size() * shortest > capture.size())
-      continue;
-    one.size = pair ? 2 : 1;
-    one.bytes = pair ? std::array{static_cast<std::uint8_t>(i >> 8), static_cast<std::uint8_t>(i)}
-                     : std::array{static_cast<std::uint8_t>(i - pairs.size()), std::uint8_t{0}};
-    all.push_back(std::move(one));
-  }
-  return all;
-}
 
 std::size_t value_of(const LengthField& field, Bytes capture, std::size_t frame) {
   const std::size_t first = capture[frame + field.at];

@@ -84,6 +84,7 @@ std::vector<std::size_t> id_of_one_length(const BinaryGuess& guess, std::size_t 
 }
 
 std::vector<std::size_t> id_places(const BinaryGuess& guess) {
+  if (guess.id_at) return {*guess.id_at};
   std::size_t end = furthest_id;
   for (const Bytes frame : guess.frames) end = std::min(end, frame.size());
   std::vector<std::size_t> places;
