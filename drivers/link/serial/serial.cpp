@@ -9,6 +9,7 @@
 #include <boost/asio/write.hpp>
 
 #include "drivers/link/descriptor.hpp"
+#include "drivers/link/serial/access_advice.hpp"
 #include "drivers/link/serial/line_settings.hpp"
 
 namespace drydock::link {
@@ -50,10 +51,10 @@ class SerialLink final : public ByteLink {
   Provenance provenance_;
 };
 
-std::string advice(int error) {
+std::string advice(int error, const std::string& path) {
   switch (error) {
     case ENOENT: return " (is the device plugged in, or the emulator running?)";
-    case EACCES: return " (join the group dialout)";
+    case EACCES: return " (" + access_advice(path) + ")";
     case EBUSY:
     case EWOULDBLOCK: return " (another program has it open)";
     case ENOTTY: return " (not a serial port)";
@@ -64,7 +65,7 @@ std::string advice(int error) {
 
 OpenError refused(int error, const std::string& path) {
   return {system_error(error),
-          "cannot open " + path + ": " + system_error(error).message() + advice(error)};
+          "cannot open " + path + ": " + system_error(error).message() + advice(error, path)};
 }
 
 OpenError refused(const LineRefusal& refusal, const std::string& path) {
