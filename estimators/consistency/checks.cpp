@@ -63,6 +63,7 @@ Checks::Checks(const std::vector<Sensor>& sensors, diagnosis::SymptomSink& to)
       headings_(tracks_),
       heights_(tracks_, constants_),
       immersion_(tracks_),
+      dives_(tracks_, constants_),
       levels_(tracks_),
       attitudes_(tracks_),
       places_(tracks_),
@@ -160,6 +161,7 @@ void Checks::step(Stamp at) {
   speeds_.step(moment, distrusted);
   heights_.step(moment, distrusted);
   immersion_.step(moment, distrusted);
+  dives_.step(moment, distrusted);
   levels_.step(moment, acceleration(moment));
   attitudes_.step(moment);
   places_.step(moment);
@@ -266,6 +268,7 @@ void Checks::accuse(const Moment& moment) {
 void Checks::tell(Stamp now) const {
   for (const Named& one : names_) {
     const Test& test = *one.by->test;
+    if (test.is_open(one.by->freeze)) continue;
     const double unit = test.facts().unit_si;
     const Test::Evidence evidence = test.evidence();
     to_.see({.device = one.device,

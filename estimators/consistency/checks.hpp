@@ -3,6 +3,7 @@
 #include "drivers/diagnosis/symptom.hpp"
 #include "estimators/consistency/attitudes.hpp"
 #include "estimators/consistency/constants.hpp"
+#include "estimators/consistency/dives.hpp"
 #include "estimators/consistency/doubts.hpp"
 #include "estimators/consistency/headings.hpp"
 #include "estimators/consistency/heights.hpp"
@@ -24,6 +25,7 @@ class Checks {
 
   void take(const measurement::Measurement& measurement);
   void doubt(std::uint16_t device, Stamp since, Stamp now) { doubts_.note_own(device, since, now); }
+  diagnosis::Antenna antenna(std::uint16_t receiver) const { return dives_.antenna(receiver); }
   void tell(Stamp now) const;
 
  private:
@@ -54,6 +56,7 @@ class Checks {
   Headings headings_;
   Heights heights_;
   Immersion immersion_;
+  Dives dives_;
   Levels levels_;
   Attitudes attitudes_;
   Places places_;

@@ -12,6 +12,9 @@ void Consistency::take(const measurement::Measurement& measurement) { checks_->t
 void Consistency::doubt(std::uint16_t device, diagnosis::Stamp since, diagnosis::Stamp now) {
   checks_->doubt(device, since, now);
 }
+diagnosis::Antenna Consistency::antenna(std::uint16_t receiver) const {
+  return checks_->antenna(receiver);
+}
 void Consistency::tell(diagnosis::Stamp now) const { checks_->tell(now); }
 
 }  // namespace drydock::consistency

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "drivers/diagnosis/monitors/antenna.hpp"
 #include "drivers/diagnosis/symptom.hpp"
 #include "drivers/measurement/measurement.hpp"
 #include "estimators/consistency/sensor.hpp"
@@ -25,6 +26,9 @@ class Consistency {
   /// The device's own samples show that its values are wrong since then; repeat it while it lasts.
   /// It is no reference for the others.
   void doubt(std::uint16_t device, diagnosis::Stamp since, diagnosis::Stamp now);
+
+  /// Where the receiver's antenna is by the way down that a DVL tells.
+  diagnosis::Antenna antenna(std::uint16_t receiver) const;
 
   /// Repeats the signs that last. Call it about as often as the judge settles.
   void tell(diagnosis::Stamp now) const;

@@ -44,6 +44,15 @@ double slip_sigma(const Moment& moment, double speed_mps) {
   return std::hypot(unknown_slip_rad, turn * pivot_m / speed_mps);
 }
 
+/// 1 sigma of a receiver's velocity: it turns the course of a slow vehicle by more than that of a
+/// usual one, from which the spread is learned.
+constexpr double velocity_noise_mps = 0.05, usual_speed_mps = 2;
+
+double slow_sigma(double speed_mps) {
+  const double more = 1 / (speed_mps * speed_mps) - 1 / (usual_speed_mps * usual_speed_mps);
+  return velocity_noise_mps * std::sqrt(std::max(0.0, more));
+}
+
 /// The vehicle's heading by a DVL's own compass: that of its head, turned by the mounting and by
 /// the head's tilts, else by those of other devices, else as on a level vehicle.
 std::optional<Track<1>::Reading> body_heading(const DvlTracks& dvl, const Moment& moment) {
@@ -86,15 +95,14 @@ void Headings::see(const Moment& moment) {
 void Headings::see_courses(const Moment& moment) {
   for (std::size_t i = 0; i < receivers_.size(); ++i) {
     const auto read = tracks_.receivers[i].velocity.at(moment.at);
-    if (!read ||
-        read->value.norm() < (moment.over_ground ? slowest_course_mps : slowest_without_dvl_mps))
-      continue;
-    Eigen::Vector2d drift{read->value.norm(), 0};
+    const double speed_mps = read ? read->value.norm() : 0;
+    if (speed_mps < (moment.over_ground ? slowest_course_mps : slowest_without_dvl_mps)) continue;
+    Eigen::Vector2d drift{speed_mps, 0};
     if (moment.over_ground) drift = *moment.over_ground;
     if (moment.rate) drift.y() += moment.rate->z() * tracks_.receivers[i].sensor.lever_arm_m.x();
     const double course = std::atan2(read->value.y(), read->value.x());
     group_.see(receivers_[i], course - std::atan2(drift.y(), drift.x()), read->serial,
-               slip_sigma(moment, read->value.norm()));
+               std::hypot(slip_sigma(moment, speed_mps), slow_sigma(speed_mps)));
   }
 }
 

@@ -43,12 +43,14 @@ bool ShapeTest::grows() const {
   return slope * mean > 0 && std::abs(slope) * latest_s_ > growing_share * std::abs(mean);
 }
 
+double ShapeTest::left_over() const { return all_ - sums_[grows() ? 1 : 0].explained(); }
+
 Shape ShapeTest::best() const {
   if (count_ < enough_to_tell) return Shape::step;
   std::size_t best = grows() ? 1 : 0;
-  const double left_over = all_ - sums_[best].explained();
+  const double left = left_over();
   for (std::size_t i = best == 1 ? 2 : 3; i < sums_.size(); ++i)
-    if (all_ - sums_[i].explained() < rarer_share * left_over &&
+    if (all_ - sums_[i].explained() < rarer_share * left &&
         sums_[i].explained() > sums_[best].explained())
       best = i;
   return static_cast<Shape>(best);

@@ -26,6 +26,8 @@ class ShapeTest {
 
   /// The share of the squares that the best shape explains.
   double fit() const;
+  /// What the best of a step and a ramp leaves of the squares.
+  double left_over() const;
 
   /// The best a of one shape.
   double amount(Shape shape) const;

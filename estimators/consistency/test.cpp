@@ -20,6 +20,8 @@ constexpr double spread_samples = 300;  // memory of the spread
 constexpr double noise_samples = 10;    // memory of the noise from sample to sample
 constexpr double wildest = 10;          // sigmas; more does not count as noise
 
+constexpr double late_share = 0.4;  // what a latency leaves of what a step or a ramp leaves
+
 double square(double x) { return x * x; }
 
 /// While other errors are large, a deviation is theirs: it teaches little of the usual spread.
@@ -116,6 +118,7 @@ bool Test::is_blind(const Residual& residual) const {
 
 void Test::test(const Residual& residual, Stamp at) {
   const bool was_quiet = cusum_.value() <= 0;
+  late_.note(residual.quantity, at);
   if (!is_blind(residual)) cusum_.take(deviation_ / sigma_, design);
   if (cusum_.value() <= 0) {
     fired_ = false;
@@ -129,6 +132,7 @@ void Test::test(const Residual& residual, Stamp at) {
   }
   if (was_quiet) {
     shape_.clear();
+    late_.clear();
     fired_samples_ = 0;
     since_ = at;
     return;  // it may lie between the last sound sample and the first wrong one
@@ -138,17 +142,31 @@ void Test::test(const Residual& residual, Stamp at) {
     steady_ = deviation_;
     steady_since_ = at;
   }
-  if (fired_ && ++fired_samples_ > (residual.pair ? told_after_of_pair : told_after)) return;
-  const double rate = residual.shapes ? residual.rate - usual_rate_ : 0;
+  const int enough = residual.pair ? told_after_of_pair : told_after;
+  if (fired_ && ++fired_samples_ > enough && late() != Late::open) return;
+  const double change = residual.rate - usual_rate_;
+  late_.take(deviation_, change, facts_.floor);
+  const double rate = residual.shapes ? change : 0;
   const double quantity =
       residual.shapes && facts_.scales ? residual.quantity - usual_quantity_ : 0;
   shape_.take(deviation_, measurement::seconds(at - since_) + 0.1, rate, quantity);
 }
 
+bool Test::has_stopped(const Freeze* own) const {
+  return own != nullptr && own->since() && *own->since() < since_ + std::chrono::seconds{1} &&
+         last_ - *own->since() > std::chrono::seconds{1};
+}
+
+Test::Late Test::late() const {
+  if (!facts_.may_be_late || late_.is_contradicted()) return Late::no;
+  return late_.left_over() < late_share * shape_.left_over() ? Late::yes : Late::open;
+}
+
+bool Test::is_open(const Freeze* own) const { return late() == Late::open && !has_stopped(own); }
+
 Sign Test::sign(const Freeze* own) const {
-  if (own != nullptr && own->since() && *own->since() < since_ + std::chrono::seconds{1} &&
-      last_ - *own->since() > std::chrono::seconds{1})
-    return own->jumped() ? Sign::offset : Sign::stuck;
+  if (has_stopped(own)) return own->jumped() ? Sign::offset : Sign::stuck;
+  if (late() == Late::yes) return Sign::delayed;
   switch (shape_.best()) {
     case Shape::step: return facts_.sum_above > 0 ? Sign::offset : Sign::step;
     case Shape::ramp:

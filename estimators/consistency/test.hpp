@@ -7,6 +7,7 @@
 #include "drivers/diagnosis/sign.hpp"
 #include "estimators/consistency/cusum.hpp"
 #include "estimators/consistency/freeze.hpp"
+#include "estimators/consistency/maybe_late.hpp"
 #include "estimators/consistency/shape.hpp"
 
 namespace drydock::consistency {
@@ -22,6 +23,9 @@ struct TestFacts {
   /// A residual that grows faster than this (per second) is the sum of a constant error, not a slow
   /// drift. 0 for a residual that is a sum, infinity for a plain difference.
   double sum_above = std::numeric_limits<double>::infinity();
+  /// The device, or one that it is compared with, may be late: then a residual that differs while
+  /// the quantity changes has no word yet.
+  bool may_be_late = false;
   bool scales = false;  ///< a wrong factor is possible: the quantity has a zero
   bool holds = false;   ///< what is not known now ends no alarm
   std::string_view quantity, unit;
@@ -72,6 +76,8 @@ class Test {
   Evidence evidence() const { return {peak_, design.reference * peak_sigma_}; }
   /// What the history of the residual says about the device.
   diagnosis::Sign sign(const Freeze* own) const;
+  /// Whether it is late or off, only the end of the manoeuvre tells.
+  bool is_open(const Freeze* own) const;
   Shape shape() const { return shape_.best(); }
   /// How much of the squared deviation the likeliest shape explains, 0 to 1.
   double fit() const { return shape_.fit(); }
@@ -87,6 +93,9 @@ class Test {
   void end_fault(Stamp at);
   bool is_over(double steady_s) const;
   bool is_blind(const Residual& residual) const;
+  bool has_stopped(const Freeze* own) const;
+  enum class Late : std::uint8_t { no, open, yes };
+  Late late() const;
   void test(const Residual& residual, Stamp at);
   double sigma_of(const Residual& residual, double spread) const;
 
@@ -100,6 +109,7 @@ class Test {
   bool fired_ = false;
   Cusum cusum_;
   ShapeTest shape_;
+  MaybeLate late_;
 };
 
 }  // namespace drydock::consistency

@@ -85,6 +85,10 @@ void take(GnssTracks& tracks, const measurement::GnssFix& fix) {
   else if (fix.ground_speed_mps && fix.course_rad)
     tracks.velocity.push(at, *fix.ground_speed_mps * Eigen::Vector2d{std::cos(*fix.course_rad),
                                                                      std::sin(*fix.course_rad)});
+  if (fix.velocity_ned)
+    tracks.speed_mps = fix.velocity_ned->norm();
+  else if (fix.ground_speed_mps)
+    tracks.speed_mps = *fix.ground_speed_mps;
   if (!fix.position) return;
   const double height_m =
       fix.ellipsoidal_height_m.value_or(fix.mean_sea_level_height_m.value_or(0));

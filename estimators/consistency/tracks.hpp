@@ -48,6 +48,7 @@ struct GnssTracks {
   Track<2> place;     ///< m, north and east of the first position, along the Earth
   Eigen::Vector2d moved_m = Eigen::Vector2d::Zero();
   std::optional<measurement::Geodetic> last{};
+  double speed_mps = 0;  ///< of the last fix that told it, up and down as well
 };
 
 struct DepthTracks {

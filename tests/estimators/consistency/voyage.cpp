@@ -1,5 +1,6 @@
 #include "tests/estimators/consistency/voyage.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,16 +11,20 @@ using namespace measurement;
 
 constexpr double dt = 0.01, gravity = 9.80665, earth_m = 6.371e6;
 constexpr double swing = 40 * std::numbers::pi / 180, pace = 2 * std::numbers::pi / 40;
-constexpr double usual_mps = 2, surge_mps = 0.1, surge_pace = 2 * std::numbers::pi / 20;
+constexpr double usual_mps = 2, brake_mps2 = 0.2, brake_for_s = 5, surge_mps = 0.1,
+                 surge_pace = 2 * std::numbers::pi / 20;
 
 /// The motion at one time, SI; a dash is a derivative with respect to time.
 struct Motion {
-  explicit Motion(double t)
+  /// `braking_s`: since it began to brake.
+  Motion(double t, double braking_s)
       : heading(swing * std::sin(pace * t)),
         turn(swing * pace * std::cos(pace * t)),
         turn_dash(-pace * pace * heading),
-        speed(usual_mps + surge_mps * std::sin(surge_pace * t)),
-        speed_dash(surge_mps * surge_pace * std::cos(surge_pace * t)),
+        speed(usual_mps - brake_mps2 * std::clamp(braking_s, 0.0, brake_for_s) +
+              surge_mps * std::sin(surge_pace * t)),
+        speed_dash(surge_mps * surge_pace * std::cos(surge_pace * t) -
+                   (braking_s > 0 && braking_s < brake_for_s ? brake_mps2 : 0)),
         current(0.3 * std::sin(heading)) {}
 
   /// Nomoto's law with 5 m and 25 m2: a hull of 5 m.
@@ -61,7 +66,7 @@ void Voyage::run(double end_s, const Fault& fault) {
 
 void Voyage::tick(const Fault& fault) {
   const double t = static_cast<double>(step_) * dt;
-  const Motion motion(t);
+  const Motion motion(t, t - brakes_at_s_);
   const double heading = motion.heading, turn = motion.turn, speed = motion.speed;
   north_ += dt * speed * std::cos(heading);
   east_ += dt * speed * std::sin(heading);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -43,6 +44,9 @@ class Voyage {
   /// Runs on until `end_s`.
   void run(double end_s, const Fault& fault = {});
 
+  /// From then on it brakes by 0.2 m/s2, for 5 s.
+  void brake_at(double t) { brakes_at_s_ = t; }
+
   const std::vector<Signs::Said>& said() const { return signs_.all; }
 
  private:
@@ -57,6 +61,7 @@ class Voyage {
   Consistency checks_;
   long step_ = 0;
   double north_ = 0, east_ = 0;
+  double brakes_at_s_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace drydock::consistency::test
