@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "drivers/terminal/exit_codes.hpp"
-#include "hil/replay/replay_rig.hpp"
 #include "hil/report/write_file.hpp"
 
 namespace drydock::compare {
@@ -15,9 +14,10 @@ namespace drydock::compare {
 int compare(const rig_config::Rig* rig, const CompareOptions& options, std::FILE* out,
             std::FILE* err) {
   try {
-    const auto comparison = rig != nullptr                         ? compare_on_rig(*rig, options)
-                            : replay::is_recording(options.source) ? compare_on_recording(options)
-                                                                   : compare_on_capture(options);
+    const auto comparison = rig != nullptr                     ? compare_on_rig(*rig, options)
+                            : track::is_recording(options)     ? compare_on_recording(options)
+                            : track::goes_through_rig(options) ? compare_through_rig(options)
+                                                               : compare_on_capture(options);
     fmt::print(out, "{}", options.json ? to_json(comparison) : to_text(comparison));
     if (!options.report.empty())
       report::write_file(std::filesystem::path(options.report) / "index.html", to_html(comparison));

@@ -2,20 +2,16 @@
 
 #include <cstdio>
 
-#include "drivers/decode/replay.hpp"
-#include "drivers/recordings/record/selection.hpp"
 #include "hil/compare/comparison.hpp"
+#include "hil/track/dive_source.hpp"
 #include "rig_config/rig.hpp"
 
 namespace drydock::compare {
 
-struct CompareOptions {
-  std::string source;                   ///< recording, capture or rig file, as the person typed it
+/// Of a run of a rig `source.capture` is the rig file, as the person typed it.
+struct CompareOptions : track::DiveSource {
   std::vector<std::string> estimators;  ///< as rig_config::with_estimator takes them
-  std::string rig;  ///< a rig file in the place of the recorded one, or of a capture's sensor
-  record::Selection part;         ///< of a recording or a capture
-  decode::ReplayOptions capture;  ///< of a capture: how to play it
-  double duration_s = 0;          ///< of a rig; 0: one lap of the mission
+  double duration_s = 0;                ///< of a rig; 0: one lap of the mission
   bool json = false;
   std::string report;  ///< folder for index.html; empty: none
 };
@@ -28,6 +24,10 @@ Comparison compare_on_recording(const CompareOptions& options);
 /// The same with a capture of one sensor; `options.rig` may describe the sensor. No finding leaves
 /// the sensor out: there is no other one.
 Comparison compare_on_capture(const CompareOptions& options);
+
+/// The same with captures that the devices of `options.rig` read. An estimator that needs a device
+/// of which there is no capture cannot be made.
+Comparison compare_through_rig(const CompareOptions& options);
 
 /// The same with a run of a rig in virtual time.
 Comparison compare_on_rig(const rig_config::Rig& rig, const CompareOptions& options);

@@ -1,7 +1,11 @@
 #include "hil/compare/contest.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <stdexcept>
 
+#include "hil/replay/rigs/other_rig.hpp"
 #include "rig_config/load.hpp"
 #include "rig_config/toml/with_estimator.hpp"
 
@@ -10,21 +14,29 @@ namespace {
 
 /// The rig with this estimator alone. Its problems name no line: they are of a made text.
 rig_config::Rig rig_with(const std::string& choice, const std::string& rig_text,
-                         const std::string& rig_file) {
+                         const std::string& rig_file, const std::vector<std::string>& left_out) {
   auto rig = rig_config::load_rig_text(rig_config::with_estimator(rig_text, choice), rig_file);
-  if (rig) return std::move(*rig);
-  const auto problem = rig.error().front();
-  throw std::invalid_argument(problem.path + ": " + problem.what);
+  if (!rig) {
+    const auto problem = rig.error().front();
+    throw std::invalid_argument(problem.path + ": " + problem.what);
+  }
+  replay::OtherRig heard{std::move(*rig)};
+  replay::leave_out(left_out, heard);
+  if (heard.rig.estimators.empty())
+    throw std::invalid_argument(fmt::format("it needs a device of which nothing was captured: {}",
+                                            fmt::join(left_out, ", ")));
+  return std::move(heard.rig);
 }
 
 }  // namespace
 
 Contest::Contest(const std::string& rig_text, const std::string& rig_file,
-                 const std::vector<std::string>& choices, const Contender::Setting& setting) {
+                 const std::vector<std::string>& choices, const Contender::Setting& setting,
+                 const std::vector<std::string>& left_out) {
   for (const auto& choice : choices) {
     try {
-      contenders_.push_back(
-          std::make_unique<Contender>(choice, rig_with(choice, rig_text, rig_file), setting));
+      contenders_.push_back(std::make_unique<Contender>(
+          choice, rig_with(choice, rig_text, rig_file, left_out), setting));
     } catch (const std::exception& error) {
       throw std::invalid_argument("--estimators " + choice + ": " + error.what());
     }

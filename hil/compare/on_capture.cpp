@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include "hil/compare/compare.hpp"
@@ -14,15 +16,15 @@ measurement::Stamp heard_at(const measurement::Measurement& m) {
 }  // namespace
 
 Comparison compare_on_capture(const CompareOptions& options) {
-  auto capture = options.capture;
-  capture.capture = options.source;
-  const auto made = track::rig_of_capture(capture, options.rig, options.part.only);
+  const auto capture = track::one_capture(options);
+  const auto made = track::rig_of_capture(capture.how, options.rig, options.part.only);
   const auto played = track::played_capture(made, options.part);
   if (played.measurements.empty())
     throw std::runtime_error(track::silence_of(capture, made, options.part));
   Comparison comparison;
-  comparison.source = options.source;
-  comparison.notes = played.notes;
+  comparison.source = capture.shown;
+  comparison.notes = capture.notes;
+  std::ranges::copy(played.notes, std::back_inserter(comparison.notes));
   const auto start = heard_at(played.measurements.front());
   comparison.duration_s = measurement::seconds(heard_at(played.measurements.back()) - start);
   Contest contest(made.text, made.file.empty() ? made.rig.file : made.file, options.estimators,

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <fstream>
 #include <iterator>
@@ -41,10 +42,24 @@ replay::OtherRig rig_to_play(const replay::RecordedRig& recorded,
   return fitting;
 }
 
+/// Plays all of it to the contest.
+Comparison contended(replay::ReplayBench& bench, const rig_config::Rig& rig, Contest& contest) {
+  const auto diagnostician = host::diagnostician_beside(rig, bench.devices(), bench.followers());
+  bench.followers().add(*diagnostician);
+  bench.followers().add(contest);
+  boost::asio::io_context io{1};
+  replay::Pace pace(io, 0);
+  bench.play(pace, [](double) { return true; });
+  Comparison comparison;
+  comparison.duration_s = measurement::seconds(bench.played());
+  contest.write(comparison);
+  return comparison;
+}
+
 }  // namespace
 
 Comparison compare_on_recording(const CompareOptions& options) {
-  auto recording = record::Recording::open(options.source);
+  auto recording = record::Recording::open(options.source.capture);
   if (!recording) throw std::runtime_error(recording.error().line);
   if (const auto wrong = record::misfit(options.part, *recording); !wrong.empty())
     throw std::invalid_argument(wrong);
@@ -53,25 +68,37 @@ Comparison compare_on_recording(const CompareOptions& options) {
     throw std::runtime_error(recorded.trouble() + "; --rig names a rig file that is whole");
   const auto played = rig_to_play(recorded, *recording, options.rig);
   replay::ReplayBench bench(*recording, played.rig, options.part, {});
-  const auto truth = replay::RecordedTrajectory::read(options.source);
+  const auto truth = replay::RecordedTrajectory::read(options.source.capture);
   const std::string file = options.rig.empty() ? recorded.rig().file : options.rig;
   Contest contest(text_of(file), file, options.estimators,
                   {truth.get(), bench.start(),
                    truth ? measurement::seconds(truth->end() - truth->start()) : usual_length_s});
-  const auto diagnostician =
-      host::diagnostician_beside(played.rig, bench.devices(), bench.followers());
-  bench.followers().add(*diagnostician);
-  bench.followers().add(contest);
-  boost::asio::io_context io{1};
-  replay::Pace pace(io, 0);
-  bench.play(pace, [](double) { return true; });
-  Comparison comparison;
-  comparison.source = options.source;
-  comparison.duration_s = measurement::seconds(bench.played());
+  auto comparison = contended(bench, played.rig, contest);
+  comparison.source = options.source.capture;
   comparison.truth = truth != nullptr;
   comparison.notes = played.notes;
   if (truth) comparison.true_places = true_places(*truth, truth->end());
-  contest.write(comparison);
+  return comparison;
+}
+
+Comparison compare_through_rig(const CompareOptions& options) {
+  auto dive = track::dive_through_rig(options);
+  const auto rig = devices_of(std::move(dive.read_by.rig));
+  if (const auto wrong = record::misfit(options.part, dive.made.recording); !wrong.empty())
+    throw std::invalid_argument(wrong);
+  std::vector<std::string> left_out;
+  for (const auto& device : rig_config::load_rig(options.rig).value().devices)
+    if (std::ranges::find(rig.devices, device.name, &rig_config::DeviceConfig::name) ==
+        rig.devices.end())
+      left_out.push_back(device.name);
+  replay::ReplayBench bench(dive.made.recording, rig, options.part,
+                            {.ends = std::move(dive.made.ends)});
+  Contest contest(text_of(options.rig), options.rig, options.estimators,
+                  {nullptr, bench.start(), usual_length_s}, left_out);
+  auto comparison = contended(bench, rig, contest);
+  comparison.source = dive.shown;
+  comparison.notes = std::move(dive.read_by.notes);
+  std::ranges::move(dive.made.notes, std::back_inserter(comparison.notes));
   return comparison;
 }
 

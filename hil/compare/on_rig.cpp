@@ -16,7 +16,7 @@ Comparison compare_on_rig(const rig_config::Rig& rig, const CompareOptions& opti
   const double duration_s =
       options.duration_s > 0 ? options.duration_s : measurement::seconds(truth->end() - start);
   Comparison comparison;
-  comparison.source = options.source;
+  comparison.source = options.source.capture;
   comparison.truth = summary::no_real_device(rig);
   std::ifstream in(rig.file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};

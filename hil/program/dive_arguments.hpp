@@ -15,9 +15,11 @@ struct DiveArguments {
   PartArguments part;
 
   void add_files(CLI::App& sub) {
-    sub.add_option("RECORDING", files,
-                   "MCAP recording, or capture of one sensor; with --rig several captures, where "
-                   "NAME=FILE names the device that reads it")
+    sub.add_option(
+           "RECORDING", files,
+           "MCAP recording, or capture of one sensor, or several that it made one after the "
+           "other, or their folder; with --rig of several sensors, where NAME=FILE or "
+           "NAME=FOLDER names the device that reads it")
         ->required();
   }
   void add_rig_and_part(CLI::App& sub, std::string& rig) {
@@ -28,22 +30,26 @@ struct DiveArguments {
     part.add_to(sub);
   }
   /// In the callback of the command: what does not fit together is a CLI::ParseError.
-  void read(track::TrackOptions& options) const {
-    options.part = part.selection();
-    options.source.capture = files.front();
-    const auto first = named_file(files.front());
-    if (files.size() == 1 && first.device.empty()) return;
-    if (options.rig.empty())
-      throw CLI::RequiredError("--rig, whose devices read several captures,");
-    if (!options.source.protocol.empty())
+  void read(track::DiveSource& dive) const {
+    dive.part = part.selection();
+    for (const auto& text : files)
+      for (auto& file : named_files(text)) dive.captures.push_back(std::move(file));
+    const auto& first = dive.captures.front();
+    dive.source.capture = first.path;
+    if (dive.captures.size() == 1 && first.device.empty()) {
+      dive.captures.clear();
+    } else if (dive.rig.empty() && (dive.source.protocol.empty() || !first.device.empty())) {
+      throw CLI::RequiredError(
+          "--rig, whose devices read several captures, or --protocol of the one sensor of all,");
+    } else if (!dive.rig.empty() && !dive.source.protocol.empty()) {
       throw CLI::ValidationError("--protocol", "the rig file says what its sensors speak");
-    for (const auto& text : files) options.captures.push_back(named_file(text));
+    }
   }
   /// When the command runs.
-  void open(track::TrackOptions& options) const {
-    if (options.captures.empty()) must_be_readable(options.source.capture);
-    for (const auto& file : options.captures) must_be_capture(file.path);
-    options.source.description = load_protocol(options.source.protocol);
+  void open(track::DiveSource& dive) const {
+    if (dive.captures.empty()) must_be_readable(dive.source.capture);
+    for (const auto& file : dive.captures) must_be_capture(file);
+    dive.source.description = load_protocol(dive.source.protocol);
   }
 };
 

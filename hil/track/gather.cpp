@@ -1,8 +1,5 @@
 #include "hil/track/gather.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <fstream>
@@ -10,10 +7,8 @@
 #include <stdexcept>
 
 #include "hil/replay/replay_bench.hpp"
-#include "hil/replay/replay_source.hpp"
-#include "hil/replay/rigs/captured_recording.hpp"
-#include "hil/replay/rigs/laid_capture.hpp"
 #include "hil/replay/rigs/recorded_rig.hpp"
+#include "hil/track/capture_rig.hpp"
 #include "hil/track/gatherer.hpp"
 #include "hil/track/played_capture.hpp"
 #include "hil/track/setup.hpp"
@@ -32,15 +27,6 @@ rig_config::Rig rig_to_play(const replay::RecordedRig& recorded, const std::stri
 std::string text_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// Which device reads which capture is the person's to say where it is not plain.
-replay::OtherRig laid(const std::string& rig_file, const replay::RigCaptures& captures) {
-  try {
-    return replay::lay(replay::rig_in(rig_file), captures);
-  } catch (const std::runtime_error& error) {
-    throw std::invalid_argument(error.what());
-  }
 }
 
 /// A recording with the rig that reads it.
@@ -88,27 +74,23 @@ Gathered gather_recording(const std::string& path, const record::Selection& part
   return gathered;
 }
 
-Gathered gather_captures(const replay::RigCaptures& captures, const std::string& rig_file,
-                         const record::Selection& part, host::Follower* also) {
-  auto read_by = laid(rig_file, captures);
-  auto made = replay::record_capture(read_by.rig);
+Gathered gather_captures(const DiveSource& dive, host::Follower* also) {
+  auto [read_by, made, shown] = dive_through_rig(dive);
   Source source{std::move(made.recording), std::move(read_by.rig), std::move(made.ends),
                 made.of_arrival};
-  Gathered gathered = gathered_from(source, part, also);
-  std::vector<std::string> files;
-  for (const auto& file : captures.files) files.push_back(file.path);
-  gathered.source = fmt::format("{}", fmt::join(files, ", "));
+  Gathered gathered = gathered_from(source, dive.part, also);
+  gathered.source = std::move(shown);
   std::ranges::move(read_by.notes, std::back_inserter(gathered.notes));
   std::ranges::move(made.notes, std::back_inserter(gathered.notes));
   return gathered;
 }
 
-Gathered gather_capture(const decode::ReplayOptions& capture, const record::Selection& part,
-                        const std::string& rig_file, host::Follower* also) {
-  auto made = rig_of_capture(capture, rig_file, part.only);
+Gathered gather_capture(const DiveSource& dive, host::Follower* also) {
+  auto capture = one_capture(dive);
+  auto made = rig_of_capture(capture.how, dive.rig, dive.part.only);
   made.rig.estimators.clear();  // the capture has one sensor: none of them can be fed
-  const auto played = played_capture(made, part);
-  if (played.measurements.empty()) throw std::runtime_error(silence_of(capture, made, part));
+  const auto played = played_capture(made, dive.part);
+  if (played.measurements.empty()) throw std::runtime_error(silence_of(capture, made, dive.part));
   Gatherer gatherer(made.rig, {});
   if (!played.times_of_capture) gatherer.take_utc_of_receiver();
   for (const auto& m : played.measurements) {
@@ -116,8 +98,9 @@ Gathered gather_capture(const decode::ReplayOptions& capture, const record::Sele
     if (also != nullptr) also->on_measurement(m);
   }
   Gathered gathered = gatherer.take();
-  gathered.source = capture.capture;
+  gathered.source = std::move(capture.shown);
   if (!made.file.empty()) gathered.rig_text = made.text;
+  std::ranges::move(capture.notes, std::back_inserter(gathered.notes));
   gathered.notes.insert(gathered.notes.end(), played.notes.begin(), played.notes.end());
   return gathered;
 }

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "drivers/decode/replay.hpp"
 #include "drivers/host/follower.hpp"
-#include "drivers/recordings/record/selection.hpp"
-#include "hil/replay/rigs/rig_captures.hpp"
+#include "hil/track/dive_source.hpp"
 #include "hil/track/gathered.hpp"
 
 namespace drydock::track {
@@ -14,15 +12,10 @@ namespace drydock::track {
 Gathered gather_recording(const std::string& path, const record::Selection& part,
                           const std::string& rig_file = {}, host::Follower* also = nullptr);
 
-/// Plays a capture of one sensor through its driver. `rig_file`: as rig_of_capture() takes it.
-/// Throws std::exception with one line.
-Gathered gather_capture(const decode::ReplayOptions& capture, const record::Selection& part = {},
-                        const std::string& rig_file = {}, host::Follower* also = nullptr);
+/// Plays the capture of one sensor through its driver. Throws std::exception with one line.
+Gathered gather_capture(const DiveSource& dive, host::Follower* also = nullptr);
 
-/// Plays captures through the devices of a rig that read them (replay/rigs/laid_capture.hpp).
-/// Throws std::invalid_argument where it is not plain which does, std::runtime_error where one
-/// cannot be read; both have one line.
-Gathered gather_captures(const replay::RigCaptures& captures, const std::string& rig_file,
-                         const record::Selection& part = {}, host::Follower* also = nullptr);
+/// Plays captures through the devices of a rig that read them. Throws as dive_through_rig().
+Gathered gather_captures(const DiveSource& dive, host::Follower* also = nullptr);
 
 }  // namespace drydock::track

@@ -21,16 +21,16 @@ PlayedCapture played_capture(const CaptureRig& rig, const record::Selection& par
   return played;
 }
 
-std::string silence_of(const decode::ReplayOptions& capture, const CaptureRig& rig,
+std::string silence_of(const OneCapture& capture, const CaptureRig& rig,
                        const record::Selection& part) {
-  if (const auto trouble = rig_config::file_trouble(capture.capture); !trouble.empty())
-    return capture.capture + ": " + trouble;
+  if (const auto trouble = rig_config::file_trouble(capture.how.capture); !trouble.empty())
+    return capture.shown + ": " + trouble;
   if (part.from || part.to)
-    return fmt::format("{}: no measurement between --from and --to", capture.capture);
+    return fmt::format("{}: no measurement between --from and --to", capture.shown);
   return fmt::format(
       "{}: the driver of {} made no measurement of it; `drydock info` tells what it holds, "
       "`drydock decode` what each message says",
-      capture.capture, rig.how.protocol);
+      capture.shown, rig.how.protocol);
 }
 
 }  // namespace drydock::track

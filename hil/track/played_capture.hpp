@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "hil/track/capture_rig.hpp"
+#include "hil/track/dive_source.hpp"
 
 namespace drydock::track {
 
@@ -18,7 +19,7 @@ struct PlayedCapture {
 PlayedCapture played_capture(const CaptureRig& rig, const record::Selection& part);
 
 /// One line for a capture without a measurement: what to look at.
-std::string silence_of(const decode::ReplayOptions& capture, const CaptureRig& rig,
+std::string silence_of(const OneCapture& capture, const CaptureRig& rig,
                        const record::Selection& part);
 
 }  // namespace drydock::track

@@ -7,7 +7,6 @@
 
 #include "drivers/terminal/exit_codes.hpp"
 #include "estimators/smoothing/tilt_smoother.hpp"
-#include "hil/replay/replay_rig.hpp"
 #include "hil/report/write_file.hpp"
 #include "hil/track/formats.hpp"
 
@@ -36,22 +35,12 @@ void write(const Outcome& outcome, const TrackOptions& options, Format format) {
   report::write_file(options.out, text);
 }
 
-std::vector<replay::RigCaptures::File> captures_of(const TrackOptions& options) {
-  if (!options.captures.empty()) return options.captures;
-  return {{options.source.capture}};
-}
-
 }  // namespace
 
-Gathered gather(const TrackOptions& options, host::Follower* also) {
-  if (replay::is_recording(options.source.capture))
-    return gather_recording(options.source.capture, options.part, options.rig, also);
+Gathered gather(const DiveSource& dive, host::Follower* also) {
+  if (is_recording(dive)) return gather_recording(dive.source.capture, dive.part, dive.rig, also);
   try {
-    if (!options.captures.empty() ||
-        may_be_of_several(options.source, options.rig, options.part.only))
-      return gather_captures({captures_of(options), options.source}, options.rig, options.part,
-                             also);
-    return gather_capture(options.source, options.part, options.rig, also);
+    return goes_through_rig(dive) ? gather_captures(dive, also) : gather_capture(dive, also);
   } catch (const std::invalid_argument& error) {
     throw BadOptions(error.what());
   }

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "hil/replay/rigs/rig_captures.hpp"
+#include "hil/track/dive_source.hpp"
 #include "hil/track/gather.hpp"
 #include "hil/track/outcome.hpp"
 
@@ -14,12 +14,7 @@ struct BadOptions : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-struct TrackOptions {
-  decode::ReplayOptions source;  ///< its `capture` names the file; the rest is for captures
-  /// Captures that the devices of `rig` read; empty: `source` names the only file.
-  std::vector<replay::RigCaptures::File> captures = {};
-  std::string rig;         ///< a rig file in the place of the recorded one; empty: recorded
-  record::Selection part;  ///< of a recording
+struct TrackOptions : DiveSource {
   Model model = Model::best;
   std::optional<frame::Position> origin;  ///< of a track without a fix
   std::string out;                        ///< file of the track; empty: none
@@ -29,9 +24,8 @@ struct TrackOptions {
   std::string report;  ///< folder for index.html; empty: none
 };
 
-/// Plays what is named by the options. `also` hears every measurement; may be null. Throws
-/// std::exception with one line.
-Gathered gather(const TrackOptions& options, host::Follower* also = nullptr);
+/// Plays a dive. `also` hears every measurement; may be null. Throws std::exception with one line.
+Gathered gather(const DiveSource& dive, host::Follower* also = nullptr);
 
 /// `drydock track`: prints what the track is worth and writes its files. Exit code: 0 there is a
 /// track, 1 there can be none, 2 wrong usage.

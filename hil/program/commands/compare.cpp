@@ -3,11 +3,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "hil/program/capture_arguments.hpp"
 #include "hil/program/commands.hpp"
+#include "hil/program/dive_arguments.hpp"
 #include "hil/program/load_rig.hpp"
-#include "hil/program/options.hpp"
-#include "hil/program/part_arguments.hpp"
 #include "rig_config/estimator/kinds.hpp"
 #include "rig_config/toml/split_values.hpp"
 
@@ -17,7 +15,7 @@ namespace {
 
 struct CompareArguments {
   compare::CompareOptions options;
-  PartArguments part;
+  DiveArguments dive;
   std::string estimators;
 };
 
@@ -28,26 +26,26 @@ std::string kinds_of_estimators() {
   return names;
 }
 
+/// A file whose name does not end with .toml is no rig; its content tells a recording.
+bool is_rig(const CompareArguments& a) {
+  const auto& source = a.dive.files.front();
+  return a.dive.files.size() == 1 &&
+         (source.ends_with(".toml") ||
+          (a.options.source.protocol.empty() && !std::filesystem::exists(named_file(source).path)));
+}
+
 void finish(CompareArguments& a) {
   for (const auto choice : rig_config::split_values(a.estimators, ','))
     a.options.estimators.emplace_back(choice);
-  a.options.part = a.part.selection();
-}
-
-/// A file whose name does not end with .toml is no rig; its content tells a recording.
-bool is_rig(const CompareArguments& a) {
-  const auto& source = a.options.source;
-  return source.ends_with(".toml") ||
-         (a.options.capture.protocol.empty() && !std::filesystem::is_regular_file(source));
+  a.dive.read(a.options);
 }
 
 int run_compare(CompareArguments& a) {
-  auto& capture = a.options.capture;
-  capture.description = load_protocol(capture.protocol);
-  if (!a.options.source.ends_with(".toml") && std::filesystem::exists(a.options.source))
-    must_be_readable(a.options.source);
-  if (!is_rig(a)) return compare::compare(nullptr, a.options, stdout, stderr);
-  const auto rig = load_rig(a.options.source, check::Use::lockstep);
+  if (!is_rig(a)) {
+    a.dive.open(a.options);
+    return compare::compare(nullptr, a.options, stdout, stderr);
+  }
+  const auto rig = load_rig(a.options.source.capture, check::Use::lockstep);
   return compare::compare(&rig, a.options, stdout, stderr);
 }
 
@@ -63,22 +61,22 @@ void add_compare(CLI::App& app, Command& command) {
       "leveling,leveling:filter=robust,mixing --for 5min\n"
       "         drydock compare dive.mcap --estimators navigation,dead-reckoning --report out\n"
       "         drydock compare dive.mcap --estimators leveling,mixing --json\n"
-      "         drydock compare dive.pd0 --protocol pd0 --estimators dead-reckoning");
-  sub->add_option("SOURCE", o.source,
-                  "MCAP recording, capture of one sensor, or a rig, which runs in virtual time")
+      "         drydock compare dive.pd0 --protocol pd0 --estimators dead-reckoning\n"
+      "         drydock compare dvl=dive.pd0 can.asc --rig my-rig.toml --estimators "
+      "dead-reckoning,navigation");
+  sub->add_option(
+         "SOURCE", a->dive.files,
+         "MCAP recording, or a rig, which runs in virtual time, or captures: of one sensor, "
+         "or with --rig of several, where NAME=FILE names the device that reads it")
       ->required();
   sub->add_option("--estimators", a->estimators,
                   "A,B,C: names of the rig's estimators or kinds, out of " + kinds_of_estimators() +
                       "; each with options as kind:key=value:key=value")
       ->required();
-  sub->add_option("--rig", o.rig,
-                  "rig file in the place of the recorded one, or with the sensor of a capture")
-      ->transform(rig_name);
   sub->add_option("--for", o.duration_s, "of a rig: 60s, 10min; default one lap of its mission")
       ->transform(running_time);
-  a->part.add_only_and_from(*sub);
-  a->part.add_to(*sub);
-  add_capture(*sub, o.capture);
+  a->dive.add_rig_and_part(*sub, o.rig);
+  add_capture(*sub, o.source);
   sub->add_flag("--json", o.json, "one JSON object instead of a table");
   sub->add_option("--report", o.report, "write index.html with plots into this folder");
   sub->callback([a, &command] {

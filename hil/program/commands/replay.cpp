@@ -107,8 +107,10 @@ void read_captures_for_rig(const CLI::App& sub, ReplayArguments& a) {
   auto& captures = a.recording.captures;
   captures.how = a.capture;
   for (const auto& text : a.files) {
-    captures.files.push_back(named_file(text));
-    must_be_capture(captures.files.back().path);
+    for (auto& file : named_files(text)) {
+      must_be_capture(file);
+      captures.files.push_back(std::move(file));
+    }
   }
   a.recording.recording = fmt::format("{}", fmt::join(a.files, ", "));
 }

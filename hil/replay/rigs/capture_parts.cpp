@@ -45,8 +45,9 @@ void add_bytes(const std::string& file, bool raw, std::vector<CapturePart>& part
 }  // namespace
 
 std::string in_words(const CapturePart& part) {
-  return fmt::format("{}{}{} ({} {})", text::printable(part.file), part.name.empty() ? "" : ", ",
-                     text::printable(part.name), part.amount, part.frames ? "frames" : "bytes");
+  return fmt::format("{}{}{} ({} {})", text::printable(part.shown.empty() ? part.file : part.shown),
+                     part.name.empty() ? "" : ", ", text::printable(part.name), part.amount,
+                     part.frames ? "frames" : "bytes");
 }
 
 std::vector<CapturePart> parts_of(const std::string& file, const std::string& format) {
@@ -60,12 +61,14 @@ std::vector<CapturePart> parts_of(const std::string& file, const std::string& fo
   if (parts.empty())
     throw std::runtime_error(fmt::format(
         "{}: neither frames nor bytes of a line in it; drydock info tells what it is", file));
+  for (auto& part : parts) part.format = format;
   return parts;
 }
 
 std::uint64_t measurements_of(const CapturePart& part, decode::ReplayOptions how) {
   how.capture = part.file;
   how.interface = part.name;
+  how.format = part.format;
   std::uint64_t measurements = 0;
   decode::play(how, [&](const measurement::Measurement&) { ++measurements; });
   return measurements;

@@ -14,6 +14,8 @@ struct CapturePart {
   std::string name = {};     ///< the interface or the line; empty: the file has no name for it
   bool frames = false;       ///< a bus
   std::uint64_t amount = 0;  ///< frames or bytes
+  std::string format = {};   ///< of the file, where that was said; empty: its content tells it
+  std::string shown = {};    ///< its file's name for people; empty: `file`
 };
 
 /// "can.asc, can1 (12 frames)", "dive.pd0 (5 bytes)".

@@ -1,10 +1,6 @@
 #include "hil/replay/rigs/captured_recording.hpp"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <filesystem>
 #include <stdexcept>
 
 #include "drivers/host/rig_recorder.hpp"
@@ -15,31 +11,12 @@
 #include "drivers/shell/recorded_starts.hpp"
 #include "drivers/shell/rig_devices.hpp"
 #include "drivers/terminal/interrupt_flag.hpp"
+#include "hil/replay/rigs/temporary_file.hpp"
 
 namespace drydock::replay {
 namespace {
 
 using measurement::Stamp;
-
-/// A file that lives as long as this.
-class TemporaryFile {
- public:
-  TemporaryFile() : path_((std::filesystem::temp_directory_path() / "drydock-XXXXXX").string()) {
-    const int file = ::mkstemp(path_.data());
-    if (file < 0) throw std::runtime_error("cannot make the temporary file " + path_);
-    ::close(file);
-  }
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 /// The recording has what came. What its drivers make of that, the replay finds out.
 class Nobody final : public device::Listener, public device::Transmitter {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "drivers/link/uri.hpp"
+#include "hil/replay/rigs/joined_series.hpp"
 #include "hil/replay/rigs/part_choice.hpp"
 #include "hil/replay/rigs/unread_sensors.hpp"
 
@@ -22,7 +23,11 @@ std::vector<CapturePart> all_parts(const RigCaptures& captures) {
   for (const auto& file : captures.files) {
     if (std::ranges::find(read, file.path) != read.end()) continue;
     read.push_back(file.path);
-    std::ranges::move(parts_of(file.path, captures.how.format), std::back_inserter(all));
+    auto parts = parts_of(file.path, file.format.empty() ? captures.how.format : file.format);
+    for (auto& part : parts) {
+      part.shown = file.shown;
+      all.push_back(std::move(part));
+    }
   }
   return all;
 }
@@ -40,7 +45,7 @@ std::string link_of(const decode::ReplayOptions& how, const CapturePart& part,
   const auto rate = [&](std::string_view key, unsigned wanted) {
     add(key, wanted > 0 ? fmt::format("{}", wanted) : std::string(own.text_of(key)));
   };
-  add("format", how.format);
+  add("format", part.format);
   add("clock", how.clock);
   add("interface", part.name);
   if (part.frames) {
@@ -55,10 +60,12 @@ std::string link_of(const decode::ReplayOptions& how, const CapturePart& part,
 
 }  // namespace
 
-OtherRig lay(rig_config::Rig rig, const RigCaptures& captures) {
+OtherRig lay(rig_config::Rig rig, const RigCaptures& named) {
+  auto series = join_series(rig, named);
+  const auto& captures = series.captures;
   const auto parts = all_parts(captures);
   const auto part_of = parts_of_devices(rig, captures, parts);
-  OtherRig laid{std::move(rig), {}};
+  OtherRig laid{std::move(rig), std::move(series.notes), std::move(series.files)};
   std::vector<std::string> links(parts.size());  // devices of one part share its link
   std::vector<std::vector<rig_config::DeviceConfig>> readers(parts.size());
   Names silent;

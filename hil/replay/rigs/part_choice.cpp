@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "drivers/link/uri.hpp"
-#include "drivers/shell/rig_devices.hpp"
+#include "hil/replay/rigs/rig_readers.hpp"
 
 namespace drydock::replay {
 namespace {
@@ -19,12 +19,11 @@ class PartChoice {
  public:
   PartChoice(const rig_config::Rig& rig, const RigCaptures& captures,
              const std::vector<CapturePart>& parts)
-      : rig_(rig), captures_(captures), parts_(parts), part_of_(rig.devices.size()) {
-    for (std::size_t i = 0; i < rig.devices.size(); ++i) {
-      auto device = shell::make_device(rig, i);
-      if (!device) throw std::runtime_error(device.error().message);
-      on_bus_.push_back((*device)->on_bus());
-    }
+      : rig_(rig),
+        captures_(captures),
+        parts_(parts),
+        readers_(readers_of(rig, captures.how)),
+        part_of_(rig.devices.size()) {
     refuse_wrong_names();
   }
 
@@ -53,14 +52,11 @@ class PartChoice {
         throw std::runtime_error(fmt::format("{}={}: no device of {}; allowed: {}", file.device,
                                              file.path, rig_.file, fmt::join(names, ", ")));
       }
-      if (std::ranges::count(captures_.files, file.device, &RigCaptures::File::device) > 1)
-        throw std::runtime_error(
-            fmt::format("{} is named for two captures; it reads one", file.device));
     }
   }
 
   bool may_read(std::size_t device, const CapturePart& part) const {
-    return part.frames == on_bus_[device] &&
+    return part.frames == readers_[device].on_bus &&
            (captures_.how.interface.empty() || part.name == captures_.how.interface);
   }
 
@@ -88,7 +84,8 @@ class PartChoice {
     throw std::runtime_error(
         fitting.empty()
             ? fmt::format("{}: {} is read from a {}, and there is none{} in {}", name_of(device),
-                          rig_.devices[device].protocol, on_bus_[device] ? "CAN bus" : "line",
+                          rig_.devices[device].protocol,
+                          readers_[device].on_bus ? "CAN bus" : "line",
                           captures_.how.interface.empty() ? "" : " of that --interface", file)
             : fmt::format("{}: which part of {}? --interface names one: {}", name_of(device), file,
                           names_of(fitting)));
@@ -96,7 +93,7 @@ class PartChoice {
 
   std::optional<std::size_t> part_that_fits(std::size_t device) const {
     const auto fitting = parts_for(device);
-    if (on_bus_[device] && fitting.size() == 1) return fitting.front();
+    if (readers_[device].on_bus && fitting.size() == 1) return fitting.front();
     return chosen_of(device, fitting);
   }
 
@@ -120,25 +117,12 @@ class PartChoice {
   std::optional<std::size_t> by_trial(std::size_t device, const Indices& fitting) const {
     Indices heard;
     std::ranges::copy_if(fitting, std::back_inserter(heard),
-                         [&](std::size_t i) { return makes_measurements(device, parts_[i]); });
+                         [&](std::size_t i) { return understands(readers_[device], parts_[i]); });
     if (heard.empty()) return {};
     if (heard.size() == 1) return heard.front();
     throw std::runtime_error(fmt::format(
         "{} makes measurements of several: {}; {}=FILE names the file, --interface the part",
         name_of(device), names_of(heard), name_of(device)));
-  }
-
-  bool makes_measurements(std::size_t device, const CapturePart& part) const {
-    auto options = shell::device_options(rig_, device);
-    if (!options) throw std::runtime_error(options.error().message);
-    decode::ReplayOptions how = captures_.how;
-    how.protocol = options->driver.protocol;
-    how.kind = to_string(options->driver.kind);
-    how.description = options->driver.description;
-    how.address = options->driver.address;
-    if (how.baud == 0) how.baud = options->driver.baud.value_or(0);
-    how.driver = std::move(options->driver);
-    return measurements_of(part, std::move(how)) > 0;
   }
 
   std::string names_of(const Indices& which) const {
@@ -154,7 +138,7 @@ class PartChoice {
         const auto &one = rig_.devices[i], &other = rig_.devices[k];
         if (!part_of_[i] || part_of_[i] != part_of_[k] || one.link == other.link ||
             one.kind != other.kind || one.protocol != other.protocol ||
-            (on_bus_[i] && one.address != other.address) ||
+            (readers_[i].on_bus && one.address != other.address) ||
             (file_named_for(i) != nullptr && file_named_for(k) != nullptr))
           continue;
         const auto& file = parts_[*part_of_[i]].file;
@@ -167,7 +151,7 @@ class PartChoice {
   const rig_config::Rig& rig_;
   const RigCaptures& captures_;
   const std::vector<CapturePart>& parts_;
-  std::vector<bool> on_bus_;
+  std::vector<RigReader> readers_;
   std::vector<std::optional<std::size_t>> part_of_;
 };
 

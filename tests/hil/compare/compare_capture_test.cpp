@@ -19,8 +19,8 @@ constexpr auto from_the_bay =
 
 CompareOptions of_capture(const std::string& file, std::vector<std::string> estimators) {
   CompareOptions options;
-  options.source = file;
-  options.capture.protocol = "pd0";
+  options.source.capture = file;
+  options.source.protocol = "pd0";
   options.estimators = std::move(estimators);
   return options;
 }
@@ -38,7 +38,7 @@ std::string refusal(const CompareOptions& options) {
 
 TEST(ComparingOnACapture, SaysWhatIsMissing) {
   auto options = of_capture(golden(), {from_the_bay});
-  options.capture.protocol.clear();
+  options.source.protocol.clear();
   EXPECT_THAT(refusal(options), HasSubstr("--protocol says what its sensor speaks"));
   EXPECT_THAT(refusal(of_capture(DRYDOCK_SOURCE_DIR "/README.md", {from_the_bay})),
               HasSubstr("made no measurement of it"));
@@ -60,7 +60,7 @@ TEST(ComparingOnACapture, TakesTheSensorFromARigFile) {
   options.rig = file.string();
   const auto comparison = compare_on_capture(options);
   EXPECT_GT(comparison.entries.at(0).summary.estimates, 0u);
-  options.capture.protocol.clear();
+  options.source.protocol.clear();
   EXPECT_THAT(refusal(options), HasSubstr("--only names it, one of gps (ubx), head (pd0)"));
   options.part.only = {"head"};
   EXPECT_EQ(compare_on_capture(options).measurements, comparison.measurements);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "drivers/recordings/export/exporter.hpp"
 #include "hil/bench/run.hpp"
 #include "rig_config/load.hpp"
 
@@ -37,7 +38,7 @@ class Comparing : public testing::Test {
 
   static CompareOptions of(const std::string& source, std::vector<std::string> estimators) {
     CompareOptions options;
-    options.source = source;
+    options.source.capture = source;
     options.estimators = std::move(estimators);
     options.duration_s = 60;
     return options;
@@ -73,6 +74,47 @@ TEST_F(Comparing, ARecordingGivesTheSameEstimatesAsTheRunThatItIsOf) {
   }
   EXPECT_EQ(comparison.entries[0].summary.estimates, comparison.entries[1].summary.estimates);
   EXPECT_EQ(comparison.entries[0].summary.nis, comparison.entries[1].summary.nis);
+}
+
+/// The run's lines and buses in one pcapng file, with their times, and the rig file by hand.
+class ComparingOnCaptures : public Comparing {
+ protected:
+  static CompareOptions through_demo(std::vector<std::string> estimators) {
+    const auto capture = (folder_ / "run.pcapng").string();
+    EXPECT_TRUE(exporting::export_recording(recording(), {}, exporting::Format::pcapng,
+                                            {capture, true}, [](double) { return true; }));
+    auto options = of(capture, std::move(estimators));
+    options.rig = DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml";
+    options.captures = {{capture}};
+    return options;
+  }
+};
+
+TEST_F(ComparingOnCaptures, HaveTheFiguresOfTheRecordingThatTheyWereTakenFrom) {
+  const std::vector<std::string> estimators{"leveling", "mixing"};
+  const auto captured = compare_through_rig(through_demo(estimators));
+  const auto recorded = compare_on_recording(of(recording(), estimators));
+  EXPECT_FALSE(captured.truth);
+  EXPECT_THAT(captured.notes, testing::Contains(HasSubstr("read by dvl")));
+  ASSERT_EQ(captured.entries.size(), 2u);
+  EXPECT_GT(captured.entries[0].summary.estimates, 1000u);
+  for (std::size_t i = 0; i < captured.entries.size(); ++i) {
+    EXPECT_EQ(captured.entries[i].summary.estimates, recorded.entries[i].summary.estimates);
+    EXPECT_EQ(captured.entries[i].used, recorded.entries[i].used);
+    EXPECT_EQ(captured.entries[i].summary.nis, recorded.entries[i].summary.nis);
+  }
+}
+
+TEST_F(ComparingOnCaptures, RefuseAnEstimatorWhoseDeviceNobodyCaptured) {
+  auto options = through_demo({"leveling"});
+  options.captures = {{DRYDOCK_SOURCE_DIR "/fixtures/pd0/golden.pd0", "dvl"}};
+  try {
+    compare_through_rig(options);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("leveling"));
+    EXPECT_THAT(error.what(), HasSubstr("imu"));
+  }
 }
 
 // Both sensors of the demo rig have constant biases. The augmented filter estimates them, the
