@@ -133,9 +133,9 @@ class RigReplay {
     }
     auto made = summary_->made();
     if (auto verdict = verdict_on(recording_)) made.verdicts.push_back(std::move(*verdict));
-    std::ranges::copy(other_.notes, std::back_inserter(made.notes));
     made.findings = summary::accounts_of(findings_, rig(), bench_->start());
     fmt::print(options_.quiet ? out_ : err_, "{}", to_text(made));
+    std::ranges::copy(other_.notes, std::back_inserter(made.notes));  // they were said at the start
     summary::write_files(made, {options_.json, options_.report, options_.junit}, rig().file);
     return std::ranges::all_of(made.verdicts, &summary::Verdict::passed);
   }
@@ -191,10 +191,12 @@ class RigReplay {
   void print_summary(std::FILE* to) {
     const auto& rig = this->rig();
     print_account(to, rig, *bench_);
-    fmt::print(to, "{}",
-               summary::findings_text(summary::accounts_of(findings_, rig, bench_->start())));
-    for (const auto& note : setup::pipeline_notes(rig, bench_->pipeline()))
-      fmt::print(to, "{}\n", note);
+    if (!summary_) {  // which says them too
+      fmt::print(to, "{}",
+                 summary::findings_text(summary::accounts_of(findings_, rig, bench_->start())));
+      for (const auto& note : setup::pipeline_notes(rig, bench_->pipeline()))
+        fmt::print(to, "{}\n", note);
+    }
     if (recorder_) fmt::print(to, "{}\n", recorder_->finish());
     if (onto_ && onto_->lost() > 0)
       fmt::print(to, "onto: {} reads or frames were not taken by the other side\n", onto_->lost());

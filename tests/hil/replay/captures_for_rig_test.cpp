@@ -99,6 +99,22 @@ TEST(ACaptureForARig, ThatNobodyReadsIsCountedByName) {
   EXPECT_THAT(result.err, HasSubstr("leveling: left out, it needs a device that is left out"));
 }
 
+/// A finding too: the line of noise has no message.
+TEST(ACaptureForARig, IsToldOnceWhatFitsAndWhatDoesNotAlsoWithAReport) {
+  Bench bench(device("log", "dvl", "pd0", "serial:/dev/ttyUSB9?baud=115200") +
+              device("imu", "imu", "aceinna", "socketcan:can7") + leveling);
+  const auto noise = bench.file("noise.txt", std::string(3000, 'x'));
+  bench.options().quiet = true;
+  bench.options().report = fs::path(bench.options().rig).replace_filename("out").string();
+  const auto result = bench.reads({{golden_pd0}, {noise}});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  std::map<std::string, int> times;
+  std::istringstream all(result.err + result.out);
+  for (std::string line; std::getline(all, line);) ++times[line];
+  for (const auto& [line, count] : times) EXPECT_EQ(count, 1) << line;
+  EXPECT_EQ(times.count("imu: left out, no capture has measurements of it"), 1u);
+}
+
 TEST(ACaptureForARig, ThatFitsNoDeviceIsRefused) {
   Bench bench(device("imu", "imu", "aceinna", "socketcan:can7"));
   const auto result = bench.reads({{golden_pd0}});
@@ -199,6 +215,49 @@ TEST_F(AllLinksInOneCapture, GiveTheEstimatesOfTheRun) {
   const auto estimates = values(captured, "estimator", "leveling");
   EXPECT_GT(estimates.size(), 1900u);
   EXPECT_EQ(estimates, values(recorded, "estimator", "leveling"));
+}
+
+/// Two halves of the run, as a logger writes that begins a new file.
+class TwoCapturesInARow : public ReplayOfARun {
+ protected:
+  static std::string half(bool second, exporting::Format format, const std::string& name) {
+    record::Selection part;
+    (second ? part.from : part.to) = std::chrono::seconds{10};
+    EXPECT_TRUE(exporting::export_recording(file("run.mcap"), part, format, {file(name), true},
+                                            [](double) { return true; }));
+    return file(name);
+  }
+  static Replayed of_demo(std::vector<RigCaptures::File> files) {
+    RigReplayOptions options;
+    options.rig = DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml";
+    options.captures.files = std::move(files);
+    return replayed(options);
+  }
+};
+
+TEST_F(TwoCapturesInARow, OfPacketsInOneFolderGiveWhatOneFileGives) {
+  using enum exporting::Format;
+  const auto a = half(false, pcapng, "a.pcapng"), b = half(true, pcapng, "b.pcapng");
+  ASSERT_TRUE(exporting::export_recording(file("run.mcap"), {}, pcapng, {file("run.pcapng"), true},
+                                          [](double) { return true; }));
+  const auto folder = folder_.string();
+  const auto joined = of_demo({{b, "", folder}, {a, "", folder}});
+  EXPECT_EQ(joined.exit_code, 0) << joined.err;
+  EXPECT_THAT(joined.err, HasSubstr("read as one, in the order of their times"));
+  for (const char* name : {"dvl", "emlog", "gnss", "imu"})
+    EXPECT_EQ(of_device(joined, name), of_device(of_demo({{file("run.pcapng")}}), name)) << name;
+}
+
+TEST_F(TwoCapturesInARow, OfABusGiveWhatOneFileGives) {
+  using enum exporting::Format;
+  const auto a = half(false, candump, "a.log"), b = half(true, candump, "b.log");
+  ASSERT_TRUE(exporting::export_recording(file("run.mcap"), {}, candump, {file("run.log"), true},
+                                          [](double) { return true; }));
+  const auto joined = of_demo({{b, "imu"}, {a, "imu"}});
+  EXPECT_EQ(joined.exit_code, 0) << joined.err;
+  const auto samples = of_device(joined, "imu");
+  EXPECT_GT(samples.size(), 1900u);
+  EXPECT_EQ(samples, of_device(of_demo({{file("run.log"), "imu"}}), "imu"));
 }
 
 TEST_F(AllLinksInOneCapture, AreJudgedWithoutATruth) {
