@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "drivers/wire/dbc/reader.hpp"
 #include "rig_config/checks/checks.hpp"
+#include "rig_config/file_trouble.hpp"
 #include "rig_config/rules/explain.hpp"
-#include "rig_config/toml/checked_file.hpp"
 
 namespace drydock::rig_config {
 namespace {
@@ -22,6 +23,28 @@ std::optional<wire::dbc::Database> database_of(std::string_view text, const std:
   return std::move(reading.database);
 }
 
+/// The text of a file; empty after the reason why there is none was put in `trouble`.
+std::optional<std::string> read_dbc(const std::string& path, std::string& trouble) {
+  if (const auto why = file_trouble(path); !why.empty()) {
+    trouble = fmt::format("{}: cannot be read: {}", path, why);
+    return {};
+  }
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  if (error || size > wire::dbc::longest_text) {
+    trouble = fmt::format("{} has {} bytes, allowed: up to {} (16 MiB)", path, size,
+                          wire::dbc::longest_text);
+    return {};
+  }
+  std::string text(size, '\0');
+  std::ifstream in(path, std::ios::binary);
+  if (!in.read(text.data(), static_cast<std::streamsize>(size))) {
+    trouble = path + ": cannot be read to its end";
+    return {};
+  }
+  return text;
+}
+
 }  // namespace
 
 std::optional<wire::dbc::Database> find_dbc(const Node& word, const std::string& file,
@@ -30,9 +53,10 @@ std::optional<wire::dbc::Database> find_dbc(const Node& word, const std::string&
   std::error_code error;
   if (std::filesystem::exists(path, error)) {
     read_from = path;
-    const auto text = read_file(path);
+    std::string trouble;
+    const auto text = read_dbc(path, trouble);
     if (text) return database_of(*text, path, problems);
-    append(problems, text.error());
+    problems.push_back({file, word.at.line, word.at.column, "/protocol/dbc", std::move(trouble)});
     return {};
   }
   std::vector<std::string> names;

@@ -1,5 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "rig_config/fault.hpp"
 #include "rig_config/fault_vocabulary.hpp"
 #include "tests/drivers/described/support.hpp"
@@ -58,9 +61,28 @@ TEST(DbcProblems, AFileThatIsNowhereIsRefused) {
                         "contains no \"xens.dbc\" (did you mean 'xsens.dbc'?)"));
 }
 
-TEST(DbcProblems, AFolderInPlaceOfAFileIsNamed) {
+TEST(DbcProblems, AFolderOrADeviceInPlaceOfAFileIsNamedWithTheLineOfTheDescription) {
   EXPECT_THAT(imu("dbc = \"/\"\n" + std::string(rate)),
-              HasSubstr("/: cannot be read: is a folder, not a file"));
+              HasSubstr("toy.toml:5:7: /protocol/dbc: /: cannot be read: is a folder, not a file"));
+  EXPECT_THAT(imu("dbc = \"/dev/zero\"\n" + std::string(rate)),
+              HasSubstr("toy.toml:5:7: /protocol/dbc: /dev/zero: cannot be read: is a device or a "
+                        "pipe, not a file"));
+}
+
+/// 16 MiB are allowed, of a description as of `decode --dbc`.
+TEST(DbcProblems, AFileThatIsTooLargeIsRefusedWithTheLineOfTheDescription) {
+  const auto path = (std::filesystem::path(::testing::TempDir()) / "large.dbc").string();
+  const auto problems_of_size = [&](std::size_t bytes) {
+    std::ofstream(path) << "BU_: s\nCM_ \"" << std::string(bytes - 15, 'x') << "\";\n";
+    EXPECT_EQ(std::filesystem::file_size(path), bytes);
+    return imu("dbc = \"" + path + "\"\n" + std::string(rate));
+  };
+  EXPECT_THAT(problems_of_size(20'000'000),
+              HasSubstr("toy.toml:5:7: /protocol/dbc: " + path +
+                        " has 20000000 bytes, allowed: up to 16777216 (16 MiB)\n"));
+  EXPECT_THAT(problems_of_size(2'000'000),
+              HasSubstr("the DBC file has no message \"rate_of_turn\""));
+  std::filesystem::remove(path);
 }
 
 TEST(DbcProblems, FramesWithoutAFileAndAFileWithoutFramesAreRefused) {
