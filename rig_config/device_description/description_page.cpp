@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "drivers/wire/described/frame_plan.hpp"
+#include "rig_config/device_description/page_framing.hpp"
 
 namespace drydock::rig_config {
 namespace {
@@ -13,17 +14,6 @@ using described::Form;
 using described::Message;
 using described::Plan;
 using described::Type;
-
-/// Bytes as a person reads them: printed ones as they are, others in hexadecimal digits.
-std::string readable(std::string_view bytes) {
-  std::string text;
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    text += byte > 0x20 && byte < 0x7F && byte != '|' ? std::string(1, c)
-                                                      : fmt::format("\\x{:02X}", byte);
-  }
-  return text;
-}
 
 std::string type_of(const Field& field) {
   const int bits = 8 * field.size;
@@ -53,6 +43,14 @@ std::string place_of(const Field& field, const described::FrameLayout* frame, co
   return field.record ? fmt::format("record {}, {}", *field.record, at) : at;
 }
 
+/// `i16 from bit 32, Intel`: bits are counted as DBC files do.
+std::string layout_of(const wire::dbc::Layout& layout) {
+  using wire::dbc::Number;
+  const char letter = layout.is_float() ? 'f' : layout.number == Number::signed_integer ? 'i' : 'u';
+  return fmt::format("{}{} from bit {}, {}", letter, layout.bits, layout.start,
+                     layout.order == wire::dbc::ByteOrder::intel ? "Intel" : "Motorola");
+}
+
 std::string bits_of(const Field& field) {
   return field.bits == 0
              ? std::string()
@@ -79,7 +77,8 @@ std::string fields_text(const Plan& plan, const Message& message,
   const auto fields = plan.fields_of(message);
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const Field& field = fields[i];
-    const std::string type = frame ? std::string("as the DBC file says") : type_of(field);
+    const std::string type =
+        frame ? layout_of(frame->message.signals[field.at].layout) : type_of(field);
     text += fmt::format("| {} | {} | {}{} | {} |\n",
                         field.key.empty() ? std::string() : fmt::format("`{}`", field.key),
                         place_of(field, frame, plan, i), type, bits_of(field), meaning_of(field));
@@ -87,14 +86,15 @@ std::string fields_text(const Plan& plan, const Message& message,
   return text;
 }
 
-std::string head_of(const Message& message, const described::FrameLayout* frame) {
-  if (frame)
-    return fmt::format("Identifier {:X}h, {} bytes{}.\n", frame->message.id, frame->message.size,
-                       frame->message.cycle_ms != 0
-                           ? fmt::format(", each {} ms", frame->message.cycle_ms)
-                           : std::string());
-  return message.head.empty() ? std::string()
-                              : fmt::format("Begins with `{}`.\n", readable(message.head));
+/// Lines of Markdown that follow each other are one paragraph; these are a list.
+std::string listed_lines(const std::string& lines) {
+  std::string text;
+  for (std::size_t at = 0; at < lines.size();) {
+    const std::size_t end = lines.find('\n', at);
+    text += "- " + lines.substr(at, end - at) + "\n";
+    at = end + 1;
+  }
+  return text.empty() ? text : text + "\n";
 }
 
 std::string requests_text(std::string_view title, const std::vector<described::Request>& requests) {
@@ -115,13 +115,15 @@ std::string description_page(const described::Description& description) {
                                          description.name, to_string(*description.kind))
                            : fmt::format("Described by `{}`; only `drydock decode` reads it.\n",
                                          description.name);
-  if (!description.frames && plan.checksum.size() != 0)
-    text += fmt::format("Checksum: {}.\n", plan.checksum.name());
+  const std::string framing = listed_lines(description.frames ? "" : protocol_framing(plan));
+  if (!framing.empty()) text += "\n" + framing.substr(0, framing.size() - 1);
   for (std::size_t i = 0; i < plan.messages.size(); ++i) {
     const Message& message = plan.messages[i];
     const auto* frame = description.frames ? &description.frames->frames[i] : nullptr;
-    text += fmt::format("\n## {}\n\n{}\n{}", message.name, head_of(message, frame),
-                        fields_text(plan, message, frame));
+    text +=
+        fmt::format("\n## {}\n\n{}{}", message.name,
+                    listed_lines(frame ? frame_framing(*frame) : message_framing(plan, message)),
+                    fields_text(plan, message, frame));
   }
   text += requests_text("Said when the link opens", description.start);
   text += requests_text("Said at the rate of the rig", description.poll);
