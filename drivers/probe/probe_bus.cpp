@@ -31,7 +31,7 @@ class Asker {
       return;  // one write at a time
     }
     for (const survey::Node& node : survey.nodes()) {
-      if (node.kind != survey::NodeKind::canopen) continue;
+      if (node.kind != survey::NodeKind::canopen || node.only_described) continue;
       for (const auto entry : entries) {
         if (!asked_.insert({node.address, entry.index, entry.subindex}).second) continue;
         ear.say(bus, wire::canopen::encode(wire::canopen::SdoRead{node.address, entry}));
@@ -171,8 +171,8 @@ namespace {
 
 void note_sensors(const survey::Node& node, const std::string& link, ProbeReport& report) {
   for (const auto& sensor : node.sensors)
-    report.devices.push_back(
-        {"", sensor.kind, std::string(sensor.protocol), link, sensor.rate_hz, node.address});
+    report.devices.push_back({"", sensor.kind, std::string(sensor.protocol), link, sensor.rate_hz,
+                              node.address, sensor.description, sensor.evidence});
 }
 
 }  // namespace
@@ -185,6 +185,7 @@ void note_bus(const survey::BusSurvey& survey, const std::string& link, ProbeRep
   if (auto hint = survey::bit_rate_hint(report.complaints, report.frames); !hint.empty())
     report.notes.push_back(std::move(hint));
   for (const survey::Node& node : report.nodes) note_sensors(node, link, report);
+  for (auto& text : survey.missed()) report.notes.push_back(std::move(text));
   survey::name_devices(report.devices);
 }
 
@@ -202,6 +203,7 @@ void note_one_bus(const survey::BusSurvey& survey, const std::string& bus, const
     node.bus = bus;
     report.nodes.push_back(std::move(node));
   }
+  for (const auto& text : survey.missed()) report.notes.push_back(bus + ": " + text);
   survey::name_devices(report.devices);
 }
 

@@ -52,11 +52,13 @@ void visit_fields(const FoundDevice& d, F&& field) {
   field("link", d.link);
   field("rate_hz", d.rate_hz);
   field("address", d.address);
+  if (!d.evidence.empty()) field("evidence", d.evidence);
   field("block", survey::rig_block(d));
 }
 
 std::string_view to_string(survey::NodeKind kind) {
   switch (kind) {
+    case survey::NodeKind::described: return "described";
     case survey::NodeKind::j1939: return "j1939";
     case survey::NodeKind::canopen: return "canopen";
     case survey::NodeKind::plain: return "plain";
@@ -79,6 +81,8 @@ void visit_fields(const Node& n, F&& field) {
   field("device_type", n.device_type);
   field("vendor_id", n.vendor_id);
   field("product_code", n.product_code);
+  if (!n.title.empty()) field("title", n.title);
+  if (!n.also.empty()) field("also", n.also);
   field("traffic", n.traffic);
 }
 

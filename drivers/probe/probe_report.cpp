@@ -84,6 +84,7 @@ std::string node_title(const survey::Node& n) {
       return title;
     }
     case survey::NodeKind::plain: return "identifiers of no node";
+    case survey::NodeKind::described: return text::printable(n.title);
   }
   return {};
 }
@@ -96,6 +97,11 @@ void print_node(const survey::Node& n, std::FILE* out) {
   for (const auto& sensor : n.sensors)
     fmt::print(out, "    {} ({}, {}): {} measurements{}\n", to_string(sensor.kind), sensor.protocol,
                to_string(n.confidence), sensor.measurements, rate_text(sensor.rate_hz));
+  for (const auto& sensor : n.sensors)
+    if (!sensor.evidence.empty())
+      fmt::print(out, "    {}: {}\n", text::printable(sensor.protocol),
+                 text::printable(sensor.evidence));
+  for (const auto& also : n.also) fmt::print(out, "    {}\n", text::printable(also));
   for (const auto& t : n.traffic) {
     const auto number = n.kind == survey::NodeKind::j1939 ? fmt::format("PGN {}", t.number)
                                                           : fmt::format("id {:03X}h", t.number);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -15,6 +16,11 @@ struct Arrivals {
   void add(measurement::Stamp at) {
     if (count++ == 0) first = at;
     last = at;
+  }
+  void add(const Arrivals& others) {
+    first = count == 0 ? others.first : std::min(first, others.first);
+    last = count == 0 ? others.last : std::max(last, others.last);
+    count += others.count;
   }
   /// Empty for a single arrival, or without times.
   std::optional<double> rate_hz() const {

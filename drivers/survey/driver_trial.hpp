@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct SensorHeard {
   /// Rate of its fastest kind of measurement. Empty if there are too few, or without times.
   std::optional<double> rate_hz;
   wire::described::DescriptionPtr description{};  ///< of a protocol that a file describes
+  std::string evidence{};  ///< on a bus: what speaks for the description, and against it
 };
 
 /// Tries a sensor's driver on the data of a wire: does it give measurements, and are they

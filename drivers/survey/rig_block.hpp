@@ -19,6 +19,7 @@ struct FoundDevice {
   std::optional<double> rate_hz;                  ///< as measured
   std::uint8_t address = 0;                       ///< 0: the device has none, or any
   wire::described::DescriptionPtr description{};  ///< of a protocol that a file describes
+  std::string evidence{};                         ///< on a bus: what speaks for the description
 };
 
 /// Measured rates scatter by a few percent. Gives the nearest integer if it is close enough,
