@@ -5,8 +5,6 @@
 
 #include <array>
 
-#include "drivers/wire/j1939/j1939.hpp"
-
 namespace drydock::rig_config {
 namespace {
 
@@ -62,15 +60,21 @@ std::string length_of(const described::Length& length) {
          (length.plus > 0 ? fmt::format(", plus {} bytes.\n", length.plus) : ", in bytes.\n");
 }
 
+/// SAE J1939-21: below 240 in its second byte the low byte of a group is the destination.
+std::uint32_t group_of(std::uint32_t id) {
+  constexpr std::uint32_t group_bits = 0x3FFFF, first_broadcast = 240;
+  const std::uint32_t group = id >> 8 & group_bits;
+  return (group >> 8 & 0xFF) < first_broadcast ? group & ~std::uint32_t{0xFF} : group;
+}
+
 std::string identifier_of(const wire::dbc::Message& message) {
   const std::string id =
       fmt::format("Identifier {:X}h, {} bits", message.id, message.extended ? 29 : 11);
   if (message.format != wire::dbc::FrameFormat::j1939) return id;
-  const auto parsed = wire::j1939::parse_identifier(message.id);
-  const std::string sender = parsed.source == wire::dbc::any_source
-                                 ? "any sender"
-                                 : fmt::format("sender {}", parsed.source);
-  return fmt::format("{}: J1939, PGN {} of {}", id, parsed.pgn, sender);
+  const std::uint32_t source = message.id & 0xFF;
+  const std::string sender = source == wire::dbc::any_source ? std::string("any sender")
+                                                             : fmt::format("sender {}", source);
+  return fmt::format("{}: J1939, PGN {} of {}", id, group_of(message.id), sender);
 }
 
 std::string protection_of(const wire::dbc::Protection& protection) {
