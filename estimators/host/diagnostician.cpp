@@ -66,6 +66,8 @@ constexpr double due_messages = 2;
 constexpr std::chrono::milliseconds longest_pause{1500};
 /// An antenna that is so close to the surface is wet now and then.
 constexpr double dry_height_m = 0.3;
+/// An older depth tells nothing of now.
+constexpr std::chrono::seconds depth_lasts{5};
 
 }  // namespace
 
@@ -98,6 +100,7 @@ class Diagnostician::Bench final : public Follower, private diagnosis::FindingLi
   void add_buses(const rig_config::Rig& rig);
   void notice_stall(std::size_t device, Stamp now);
   void notice_depth(const measurement::DepthSample& sample, std::size_t device);
+  void guess_antennas(Stamp now);
   void on_finding(const diagnosis::Finding& finding) override { to_.on_finding(finding); }
 
   Follower& to_;
@@ -111,7 +114,7 @@ class Diagnostician::Bench final : public Follower, private diagnosis::FindingLi
   double fastest_hz_ = 0;             ///< of the lines
   std::vector<std::size_t> line_of_;  ///< of each device
   std::vector<double> down_m_;        ///< of each device below the vehicle's origin
-  Stamp next_look_{}, last_{};
+  Stamp next_look_{}, last_{}, depth_at_{};
 };
 
 Diagnostician::Bench::Bench(const rig_config::Rig& rig, Follower& to)
@@ -185,13 +188,23 @@ void Diagnostician::Bench::notice_stall(std::size_t device, Stamp now) {
 void Diagnostician::Bench::notice_depth(const measurement::DepthSample& sample,
                                         std::size_t device) {
   if (!sample.depth_m) return;
+  depth_at_ = sample.origin.received_at;
   for (std::size_t i = 0; i < monitors_.size(); ++i) {
     const double antenna_m = *sample.depth_m - down_m_[device] + down_m_[i];
-    monitors_[i].set_under_water(antenna_m > -dry_height_m, sample.origin.received_at);
+    const bool wet = antenna_m > -dry_height_m;
+    monitors_[i].set_antenna(wet ? diagnosis::Antenna::wet : diagnosis::Antenna::dry, depth_at_);
   }
 }
 
+/// Where no pressure sensor tells the depth.
+void Diagnostician::Bench::guess_antennas(Stamp now) {
+  if (now - depth_at_ < depth_lasts) return;
+  for (std::size_t i = 0; i < monitors_.size(); ++i)
+    monitors_[i].set_antenna(cross_checks_.antenna(static_cast<std::uint16_t>(i)), now);
+}
+
 void Diagnostician::Bench::look(Stamp now) {
+  guess_antennas(now);
   for (const auto* device : devices_) monitors_.at(device->index()).look(device->vitals(), now);
   for (Bus& bus : buses_) bus.monitor.look(now);
   cross_checks_.tell(now);

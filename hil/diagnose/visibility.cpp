@@ -153,6 +153,8 @@ std::string why_not(Cause cause, const DeviceConfig& device, const wire::Protoco
   const bool is_own_peer =
       cause == Cause::mounting &&
       std::ranges::find(with.heads_with_depth, device.name) != with.heads_with_depth.end();
+  if (cause == Cause::satellites_blocked && !has(rig, Kind::depth) && !has(rig, Kind::dvl))
+    return "a dive hides all of them as well, and nothing tells the depth";
   if (needs_peer(cause) && !is_own_peer && !has_peer(rig, device, cause))
     return "no other sensor measures what it does";
   if (cause == Cause::drift && with.duration_s < shortest_for_drift_s)

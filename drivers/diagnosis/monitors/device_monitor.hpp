@@ -41,7 +41,7 @@ class DeviceMonitor {
     interrupt();
     line_.interrupt(now);
   }
-  void set_under_water(bool under, Stamp now) { values_.set_under_water(under, now); }
+  void set_antenna(Antenna antenna, Stamp now) { values_.set_antenna(antenna, now); }
 
  private:
   static constexpr std::chrono::seconds away{3};

@@ -61,9 +61,8 @@ QuantityMonitor* ValueMonitor::monitor_of(Quantity quantity) {
 
 bool ValueMonitor::take(std::uint32_t kind, const measurement::Measurement& measurement) {
   const Stamp at = measurement::origin_of(measurement).received_at;
-  const bool dry = !under_water_ && at - dry_since_ > back_after_dive;
   if (const auto* satellites = std::get_if<measurement::GnssSatellites>(&measurement)) {
-    if (dry) satellites_.take(*satellites);
+    judge_sky(*satellites);
     return false;
   }
   Stream* const stream = stream_of(kind);
@@ -76,6 +75,18 @@ bool ValueMonitor::take(std::uint32_t kind, const measurement::Measurement& meas
   for (const Reading& reading : readings) judge(reading, at);
   return same;
 }
+
+/// Where nobody knows where the antenna is, a sky of which nothing is left may be a dive.
+void ValueMonitor::judge_sky(const measurement::GnssSatellites& sky) {
+  const Stamp now = sky.origin.received_at;
+  const bool dark = std::ranges::none_of(sky.satellites, [](const measurement::Satellite& one) {
+    return one.cno_dbhz.value_or(0) > 0;
+  });
+  if (antenna_ == Antenna::wet || (antenna_ == Antenna::unknown && dark)) wet_until_ = now;
+  if (!may_have_dived(now)) satellites_.take(sky);
+}
+
+bool ValueMonitor::may_have_dived(Stamp now) const { return now - wet_until_ < back_after_dive; }
 
 void ValueMonitor::judge(const Reading& reading, Stamp at) {
   QuantityMonitor* const monitor = monitor_of(reading.quantity);
@@ -173,8 +184,8 @@ void ValueMonitor::judge_presence(Stream& stream, bool has_values, Stamp at) {
     stream.missing_run = 0;
   else if (stream.missing_run++ == 0)
     stream.missing_since = at;
-  const bool excused = expected_.kind == measurement::Kind::gnss &&
-                       (under_water_ || at - dry_since_ < back_after_dive);
+  const bool excused =
+      expected_.kind == measurement::Kind::gnss && (antenna_ != Antenna::dry || may_have_dived(at));
   const bool usual = stream.with_values > usual_presence * stream.count;
   if (excused || !usual || stream.missing_run < fewest_missing ||
       at - stream.missing_since < shortest_absence)
@@ -192,9 +203,10 @@ void ValueMonitor::look(Stamp now) {
   teller_.tell(Sign::step, *jumped_.since, now, {jumped_.by, jumped_.most, facts.name, facts.unit});
 }
 
-void ValueMonitor::set_under_water(bool under, Stamp now) {
-  if (under_water_ && !under) dry_since_ = now;
-  under_water_ = under;
+void ValueMonitor::set_antenna(Antenna antenna, Stamp now) {
+  if (antenna_ == Antenna::wet) wet_until_ = now;
+  if (antenna_ == Antenna::unknown && antenna == Antenna::dry) wet_until_ = {};  // it was no dive
+  antenna_ = antenna;
 }
 
 void ValueMonitor::interrupt() {

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "drivers/diagnosis/monitors/antenna.hpp"
 #include "drivers/diagnosis/monitors/expected.hpp"
 #include "drivers/diagnosis/monitors/quantity_monitor.hpp"
 #include "drivers/diagnosis/monitors/sameness.hpp"
@@ -21,8 +22,8 @@ class ValueMonitor {
   bool take(std::uint32_t stream, const measurement::Measurement& measurement);
   void look(Stamp now);
   void interrupt();
-  /// Under water a receiver has no satellites, and that is no fault.
-  void set_under_water(bool under, Stamp now);
+  /// Of a receiver.
+  void set_antenna(Antenna antenna, Stamp now);
 
  private:
   struct Run {
@@ -39,6 +40,8 @@ class ValueMonitor {
   };
   Stream* stream_of(std::uint32_t kind);
   QuantityMonitor* monitor_of(Quantity quantity);
+  void judge_sky(const measurement::GnssSatellites& sky);
+  bool may_have_dived(Stamp now) const;
   void judge(const Reading& reading, Stamp at);
   void tell_wild(const QuantityMonitor& monitor, double off, Stamp at);
   void tell_jump(const QuantityMonitor& monitor, const QuantityMonitor::News& news, Stamp at);
@@ -63,8 +66,8 @@ class ValueMonitor {
     Quantity quantity{};
     double by = 0, most = 0;
   } jumped_;
-  bool under_water_ = false;
-  Stamp dry_since_{};
+  Antenna antenna_ = Antenna::unknown;
+  Stamp wet_until_{};  ///< known, or possible where nobody knows
 };
 
 }  // namespace drydock::diagnosis

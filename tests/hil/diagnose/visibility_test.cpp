@@ -81,6 +81,15 @@ TEST(Visibility, ABiasIsSeenOnlyBesideASensorThatMeasuresTheSame) {
   EXPECT_NE(why(with_log, "dvl", Cause::bias), "no other sensor measures what it does");
 }
 
+TEST(Visibility, AHiddenSkyIsTakenForADiveWhereNothingTellsTheDepth) {
+  using measurement::Kind;
+  const auto rig_with = [](Kind kind) { return rig_of({{Kind::gnss, "ubx"}, {kind, ""}}); };
+  const auto unseen = HasSubstr("dive");
+  EXPECT_THAT(why(rig_with(Kind::imu), "gnss", Cause::satellites_blocked), unseen);
+  EXPECT_THAT(why(rig_with(Kind::depth), "gnss", Cause::satellites_blocked), IsEmpty());
+  EXPECT_THAT(why(rig_with(Kind::dvl), "gnss", Cause::satellites_blocked), IsEmpty());
+}
+
 /// The rudder is checked against the turn, the shaft against the speed.
 TEST(Visibility, ABiasOfARudderIsSeenBesideAnInertialUnit) {
   const auto rig =
