@@ -197,10 +197,13 @@ TEST(Rig, ASigmaOfVelocity) {
   EXPECT_EQ(rig.value().devices[0].velocity_sigma_mps, 0.05);
 }
 
-TEST(Rig, WhoseVelocityAWayfinderTells) {
+TEST(Rig, WhoseVelocityAWayfinderOrASignatureTells) {
   const std::string wayfinder =
       "[rig]\nname = \"r\"\n[[device]]\nname = \"a\"\nkind = \"dvl\"\n"
       "protocol = \"wayfinder\"\nlink = \"pty:a\"\n";
+  std::string signature = wayfinder + "velocity_of = \"bed\"\n";
+  signature.replace(signature.find("wayfinder"), 9, "nortek-ad2cp");
+  EXPECT_EQ(load_rig_text(signature, "r.toml").value().devices[0].velocity_of_bed, true);
   EXPECT_EQ(load_rig_text(wayfinder, "r.toml").value().devices[0].velocity_of_bed, std::nullopt);
   for (const bool of_bed : {false, true}) {
     const std::string key = of_bed ? "velocity_of = \"bed\"\n" : "velocity_of = \"vehicle\"\n";
@@ -211,7 +214,7 @@ TEST(Rig, WhoseVelocityAWayfinderTells) {
                           "vehicle, bed"));
   EXPECT_THAT(problems_of("velocity_of = \"bed\"\n"),
               ElementsAre("r.toml:8:1: /device/0/velocity_of: not allowed here, only for protocol "
-                          "= \"wayfinder\""));
+                          "= \"wayfinder\" or \"nortek-ad2cp\""));
 }
 
 TEST(Rig, ADvlsMakerBeamAngleAndSettings) {

@@ -34,6 +34,18 @@ bool has_any(const Four& values) {
   return std::ranges::any_of(values, [](const auto& value) { return value.has_value(); });
 }
 
+/// What keeps a Signature's velocity from being the vehicle's.
+std::string_view trouble_of(const SignatureBottomTrack& record, std::optional<bool> of_bed) {
+  if (!has_any(record.velocity_mps)) return "";
+  if (!of_bed)
+    return "no velocity: no document tells the sign of a Signature's bottom track (17); drive "
+           "ahead, look at it with drydock decode, and set velocity_of to vehicle or bed";
+  if (record.axes != wire::ad2cp::Axes::instrument)
+    return "no velocity: a Signature's bottom track (17) has to be in axes X, Y, Z: set it so";
+  const auto& [x, y, z1, z2] = record.velocity_mps;
+  return x && y && (z1 || z2) ? "" : "no velocity: the Signature gives some axes, but not all";
+}
+
 std::string_view trouble_of(const BottomTrack& record, const Ad2cpSolution& solution) {
   if (record.error != 0) return "the DVL reports an error: the error word of its record is not 0";
   if (solution.velocity || !has_any(record.axes.velocity_mps)) return "";
@@ -69,11 +81,19 @@ void NortekAd2cpDriver::on(const BottomTrack& record, const Arrival& arrival, Ou
 
 void NortekAd2cpDriver::on(const SignatureBottomTrack& record, const Arrival& arrival,
                            Output& out) {
-  if (has_any(record.velocity_mps))
-    heed("no velocity: the sign of a Signature's bottom track (17) is not known", out);
+  const auto trouble = trouble_of(record, of_bed_);
+  heed(trouble, out);
   measurement::BottomVelocity result;
   result.origin = timing_.of_bytes(arrival);
   if (record.clock) result.origin.device_time = *record.clock;
+  if (trouble.empty() && has_any(record.velocity_mps)) {
+    wire::ad2cp::Estimates axes;
+    for (std::size_t i = 0; i < 4; ++i)
+      axes.velocity_mps[i] = wire::scaled(record.velocity_mps[i], *of_bed_ ? -1 : 1);
+    const Ad2cpSolution solution = solve(axes);
+    result.velocity = mounting_.to_body(*solution.velocity);
+    result.error_velocity_mps = solution.error_velocity_mps;
+  }
   result.heading_rad = record.heading_rad;
   result.pitch_rad = record.pitch_rad;
   result.roll_rad = record.roll_rad;

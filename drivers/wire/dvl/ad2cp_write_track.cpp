@@ -1,6 +1,7 @@
 #include "drivers/wire/bytes.hpp"
 #include "drivers/wire/dvl/ad2cp_frame.hpp"
 #include "drivers/wire/dvl/ad2cp_track_layout.hpp"
+#include "drivers/wire/dvl/ad2cp_write.hpp"
 #include "drivers/wire/dvl/nortek_ad2cp.hpp"
 
 namespace drydock::wire::ad2cp {
@@ -42,20 +43,6 @@ std::uint32_t status_of(const Track& m) {
          valid_bits(m.distance_m, distance_bit) | valid_bits(m.axes, axes_at);
 }
 
-void write_clock(std::chrono::microseconds clock, Out to) {
-  using namespace std::chrono;
-  const auto day = floor<days>(clock);
-  const year_month_day date{sys_days{day}};
-  const hh_mm_ss time{clock - day};
-  to[0] = static_cast<std::uint8_t>(static_cast<int>(date.year()) - 1900);
-  to[1] = static_cast<std::uint8_t>(static_cast<unsigned>(date.month()) - 1);
-  to[2] = static_cast<std::uint8_t>(static_cast<unsigned>(date.day()));
-  to[3] = static_cast<std::uint8_t>(time.hours().count());
-  to[4] = static_cast<std::uint8_t>(time.minutes().count());
-  to[5] = static_cast<std::uint8_t>(time.seconds().count());
-  store_le<std::uint16_t>(to, 6, static_cast<std::uint16_t>(time.subseconds().count() / 100));
-}
-
 void write_front(const Track& m, Out data) {
   data[0] = static_cast<std::uint8_t>(m.version);
   data[1] = front_size;
@@ -86,6 +73,20 @@ std::size_t write_track(std::uint8_t id, const Track& m, Out out) {
 }
 
 }  // namespace
+
+void write_clock(std::chrono::microseconds clock, Out to) {
+  using namespace std::chrono;
+  const auto day = floor<days>(clock);
+  const year_month_day date{sys_days{day}};
+  const hh_mm_ss time{clock - day};
+  to[0] = static_cast<std::uint8_t>(static_cast<int>(date.year()) - 1900);
+  to[1] = static_cast<std::uint8_t>(static_cast<unsigned>(date.month()) - 1);
+  to[2] = static_cast<std::uint8_t>(static_cast<unsigned>(date.day()));
+  to[3] = static_cast<std::uint8_t>(time.hours().count());
+  to[4] = static_cast<std::uint8_t>(time.minutes().count());
+  to[5] = static_cast<std::uint8_t>(time.seconds().count());
+  store_le<std::uint16_t>(to, 6, static_cast<std::uint16_t>(time.subseconds().count() / 100));
+}
 
 std::size_t encode(const BottomTrack& m, Out out) { return write_track(bottom_track_id, m, out); }
 std::size_t encode(const WaterTrack& m, Out out) { return write_track(water_track_id, m, out); }

@@ -25,12 +25,14 @@ struct NortekAd2cp {
 
 namespace ad2cp {
 
-inline constexpr std::size_t track_record_size = 222;
+inline constexpr std::size_t track_record_size = 222, signature_record_size = 120;
 
 /// Write a record as a DVL sends it: what is empty gets the mark of a missing value, and the low 20
 /// bits of the status say so. Return its bytes, 0 if `out` is too small.
 std::size_t encode(const BottomTrack& m, std::span<std::uint8_t> out);
 std::size_t encode(const WaterTrack& m, std::span<std::uint8_t> out);
+/// Four beams, without figures of merit.
+std::size_t encode(const SignatureBottomTrack& m, std::span<std::uint8_t> out);
 
 }  // namespace ad2cp
 }  // namespace drydock::wire

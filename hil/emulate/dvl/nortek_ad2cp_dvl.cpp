@@ -33,12 +33,21 @@ double duration_s(double distance_m) { return 0.0026 * distance_m; }
 
 constexpr std::uint32_t wake_up_by_clock = 1U << 28;
 
+/// With the sign of its velocity in the rig it is a Signature, whose bottom track is record 17.
+std::optional<double> sign_of_signature(const rig_config::DeviceConfig& config) {
+  if (!config.velocity_of_bed) return {};
+  return *config.velocity_of_bed ? -1 : 1;
+}
+
+constexpr double signature_ambiguity_mps = 5;
+
 class NortekAd2cpDvl final : public DvlDevice {
  public:
   explicit NortekAd2cpDvl(const DeviceSetup& setup)
       : DvlDevice(setup, turned_dvl1000()),
         errors_(setup.primary_errors()),
         directions_(sensor::beam_directions(head())),
+        signature_sign_(sign_of_signature(setup.config)),
         greets_(setup.config.link.starts_with("tcp:")) {}
 
   void tick(Stamp now, Wire& out) override {
@@ -58,6 +67,7 @@ class NortekAd2cpDvl final : public DvlDevice {
     if (!dialogue_.measures() || !dialogue_.puts_out()) return;
     wire::ad2cp::BottomTrack bottom;
     set_bottom(measured, bottom);
+    if (signature_sign_) return send_signature(bottom, measured, out);
     send(bottom, measured, out);
     if (!head().layer) return;
     wire::ad2cp::WaterTrack water;
@@ -87,6 +97,29 @@ class NortekAd2cpDvl final : public DvlDevice {
       track.distance_m[i] = layer.start_m + layer.thickness_m / 2;
       track.beams.velocity_mps[i] = directions_[janus].dot(*measured.water.velocity);
     }
+  }
+
+  /// X, Y, Z1 and Z2 with the sign of the rig, and the attitude.
+  void send_signature(Track& track, const sensor::DvlPing& measured, Wire& out) {
+    if (found_beams(track) >= head().fewest_beams)
+      set_axes(track.beams, head().beam_angle_rad, track.axes);
+    set_front(measured, track);
+    wire::ad2cp::SignatureBottomTrack record;
+    static_cast<wire::ad2cp::About&>(record) = track;
+    const Stamp at = measured.origin.valid_at;
+    record.clock =
+        std::chrono::floor<std::chrono::microseconds>(device_time(at).time_since_epoch());
+    record.heading_rad = measured.heading_rad;
+    record.pitch_rad = measured.pitch_rad;
+    record.roll_rad = measured.roll_rad;
+    record.ambiguity_velocity_mps = signature_ambiguity_mps;
+    record.ensemble = ++ensembles_;
+    record.number_of_beams = 4;
+    record.axes = wire::ad2cp::Axes::instrument;
+    for (std::size_t i = 0; i < 4; ++i)
+      record.velocity_mps[i] = wire::scaled(track.axes.velocity_mps[i], *signature_sign_);
+    record.distance_m = track.distance_m;
+    out.send(wire::Bytes{bytes_}.first(encode(record, bytes_)));
   }
 
   template <class Record>
@@ -162,6 +195,8 @@ class NortekAd2cpDvl final : public DvlDevice {
   sensor::ErrorModel errors_;
   std::array<Eigen::Vector3d, 4> directions_;
   Ad2cpDialogue dialogue_;
+  std::optional<double> signature_sign_;  ///< of a Signature's velocity; empty: it is a DVL
+  std::uint32_t ensembles_ = 0;
   bool greets_;  ///< a data port of TCP begins with a banner
   std::array<std::uint8_t, wire::ad2cp::track_record_size> bytes_{};
 };

@@ -204,6 +204,50 @@ TEST(NortekAd2cpDriver, ASignatureGivesRangesAltitudeAndAttitudeButNoVelocityOfU
             ear.reports.end());
 }
 
+/// The golden record 17 with its velocities in X, Y, Z1, Z2: bits 10 and 11 of the word at 30.
+Octets signature_in_axes() {
+  const auto frames = read_all(std::filesystem::path(DRYDOCK_SOURCE_DIR) /
+                               "fixtures/nortek-ad2cp/golden.nortek-ad2cp");
+  constexpr std::array<std::uint8_t, 4> head{0xA5, 10, 0x17, 0x10};
+  const auto begin = std::search(frames.begin(), frames.end(), head.begin(), head.end());
+  Octets record(begin, begin + 10 + 182);
+  EXPECT_EQ(record[41] & 0x0C, 2 << 2) << "beams";
+  record[41] = static_cast<std::uint8_t>((record[41] & ~0x0C) | 1 << 2);
+  return closed(record);
+}
+
+TEST(NortekAd2cpDriver, ASignaturesVelocityIsThatOfTheVehicleOrOfTheBedAsTheRigSays) {
+  for (const bool of_bed : {false, true}) {
+    DriverOptions o = options(Kind::dvl, "nortek-ad2cp");
+    o.dvl.velocity_of_bed = of_bed;
+    o.mounting = {0, 0, 90 * degree};  // its x axis points to starboard
+    const auto ear = hear(signature_in_axes(), o);
+    const auto m = ear.all<BottomVelocity>().at(0);
+    const double sign = of_bed ? -1 : 1;
+    ASSERT_TRUE(m.velocity);
+    EXPECT_NEAR(m.velocity->x(), sign * 0.567, 1e-9);
+    EXPECT_NEAR(m.velocity->y(), sign * 1.234, 1e-9);
+    EXPECT_NEAR(m.velocity->z(), sign * (-1.23 + 0.571) / 2, 1e-9);
+    EXPECT_NEAR(*m.error_velocity_mps, sign * (-1.23 - 0.571), 1e-9);
+    EXPECT_TRUE(ear.reports.empty());
+  }
+}
+
+TEST(NortekAd2cpDriver, ASignatureWithoutTheRigsWordOrInAxesOfItsBeamsHasNoVelocity) {
+  const auto unsigned_ear = hear(signature_in_axes());
+  EXPECT_FALSE(unsigned_ear.all<BottomVelocity>().at(0).velocity);
+  ASSERT_EQ(unsigned_ear.reports.size(), 1u);
+  EXPECT_NE(unsigned_ear.reports[0].find("velocity_of"), std::string::npos);
+  DriverOptions o = options(Kind::dvl, "nortek-ad2cp");
+  o.dvl.velocity_of_bed = false;
+  Octets beams = signature_in_axes();
+  beams[41] = static_cast<std::uint8_t>((beams[41] & ~0x0C) | 2 << 2);
+  const auto ear = hear(closed(beams), o);
+  EXPECT_FALSE(ear.all<BottomVelocity>().at(0).velocity);
+  ASSERT_EQ(ear.reports.size(), 1u);
+  EXPECT_NE(ear.reports[0].find("X, Y, Z"), std::string::npos);
+}
+
 /// Speeds over the bed, each with the expected ones of another decoder.
 TEST(NortekAd2cpDriver, ARealDvl333HasAVelocityInEveryRecordWithThreeBeams) {
   const auto file = corpora() / "dvl/ad2cp/raw/dvl333_dropouts.bin";

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "drivers/wire/bytes.hpp"
 #include "drivers/wire/dvl/ad2cp_frame.hpp"
 #include "tests/drivers/wire/byte_streams.hpp"
 
@@ -18,6 +19,12 @@ Reading<NortekAd2cp> ad2cp_golden() {
 BottomTrack golden_track(std::size_t index) { return ad2cp_golden().all<BottomTrack>().at(index); }
 SignatureBottomTrack golden_signature(std::size_t index) {
   return ad2cp_golden().all<SignatureBottomTrack>().at(index);
+}
+
+Buffer golden_frame_of_signature() {
+  for (const Buffer& frame : ad2cp_golden().frames)
+    if (frame[2] == 0x17) return frame;
+  return {};
 }
 
 void expect_near(const Four& ours, const std::array<double, 4>& theirs) {
@@ -167,6 +174,32 @@ TEST(NortekAd2cp, AWholeRecordIsWrittenToTheLastBitAsTheDvlSendsIt) {
   ASSERT_EQ(encode(golden.all<WaterTrack>().at(0), out), track_record_size);
   EXPECT_EQ(out, golden.frames[4]);
   EXPECT_EQ(encode(golden_track(0), std::span{out}.first(221)), 0u);
+}
+
+/// Offsets of the Signature Integrator's Guide, from the first byte of the data.
+TEST(NortekAd2cp, ASignaturesBottomTrackIsWrittenWhereTheGuideSays) {
+  SignatureBottomTrack m = golden_signature(0);
+  m.axes = Axes::instrument;
+  m.velocity_mps[3].reset();
+  m.distance_m[3].reset();
+  Buffer out(signature_record_size);
+  ASSERT_EQ(encode(m, out), signature_record_size);
+  EXPECT_EQ(NortekAd2cp::scan(out), Scan::frame(signature_record_size));
+  const Buffer golden = golden_frame_of_signature();
+  EXPECT_TRUE(std::equal(out.begin() + 14, out.begin() + 40, golden.begin() + 14))
+      << "serial number, clock, sensors";
+  EXPECT_EQ(load_le<std::uint16_t>(out, 10 + 2), 0x012F) << "bits 0 to 3, 5, 8";
+  EXPECT_EQ(load_le<std::uint16_t>(out, 10 + 30), 4 << 12 | 1 << 10);
+  EXPECT_EQ(static_cast<std::int8_t>(out[10 + 60]), -4);
+  EXPECT_EQ(load_le<std::uint32_t>(out, 10 + 52), 52500u);
+  EXPECT_EQ(load_le<std::int32_t>(out, 10 + 78), 12340);
+  EXPECT_EQ(load_le<std::int32_t>(out, 10 + 78 + 12), -52500) << "no bottom";
+  EXPECT_EQ(load_le<std::int32_t>(out, 10 + 94), 20120);
+  EXPECT_EQ(load_le<std::int32_t>(out, 10 + 94 + 12), -1022) << "no bottom";
+  const auto back = std::get<SignatureBottomTrack>(NortekAd2cp::decode(out).value());
+  EXPECT_EQ(back.velocity_mps[3], std::nullopt);
+  EXPECT_NEAR(*back.velocity_mps[1], -0.567, 1e-9);
+  EXPECT_EQ(encode(m, std::span{out}.first(signature_record_size - 1)), 0u);
 }
 
 /// The data up to the times, and the velocities of the axes with their merits. The rubbish in the

@@ -161,7 +161,8 @@ inline Key some_device_key(const std::string& kind, const std::string& protocol)
     often("pressure", "{ format = \"real32\", unit = \"psi\", decimals = " + n + " }");
   if (protocol == "\"water-linked\"") often("water_linked", "{ sound_speed_mps = 15" + n + " }");
   if (protocol == "\"water-linked-json\"") often("water_linked", "{ range_mode = \"=" + n + "\" }");
-  if (protocol == "\"wayfinder\"") often("velocity_of", "\"bed\"");
+  if (protocol == "\"wayfinder\"" || protocol == "\"nortek-ad2cp\"")
+    often("velocity_of", "\"bed\"");
   if (protocol == "\"pd4\"") often("beam_angle_deg", n);
   if (protocol == "\"cia404-imu\"") often("sync", "true"), often("heartbeat_timeout_s", n);
   if (kind == "\"imu\"") keys.emplace_back("output", "\"mean\"");

@@ -121,6 +121,27 @@ TEST_F(ThroughDrivers, ABinaryRecordOfNortekTellsItsAgeAndTheAltitudeOfALevelDvl
   EXPECT_GT(locked, 50);
 }
 
+TEST_F(ThroughDrivers, ASignatureOfEitherSign) {
+  for (const bool of_bed : {false, true}) {
+    measurements_.clear();
+    auto config = device(DeviceKind::dvl, "nortek-ad2cp", 5);
+    config.mounting_rad = {0, 0, 30 * degree};
+    config.velocity_of_bed = of_bed;
+    run_line(device::Kind::dvl, config, 115200);
+    const auto samples = all<measurement::BottomVelocity>();
+    EXPECT_EQ(samples.size(), 450);
+    int locked = 0;
+    for (const auto& sample : samples) {
+      if (!sample.velocity) continue;  // the bed is out of range
+      ++locked;
+      const auto truth = trajectory_.at(sample.origin.valid_at);
+      EXPECT_LT((*sample.velocity - truth.velocity_body).norm(), 1.2e-4) << "steps of 0.1 mm/s";
+      EXPECT_NEAR(sample.altitude_m.value(), truth.bed_depth_m + truth.height_m, 0.03);
+    }
+    EXPECT_GT(locked, 50);
+  }
+}
+
 TEST_F(ThroughDrivers, AWaterLinkedDvlIsSetUpAndItsRotationTurnsBothWays) {
   auto with_baud = options(device::Kind::dvl, device(DeviceKind::dvl, "water-linked", 5));
   with_baud.baud = 115200;

@@ -218,5 +218,23 @@ TEST(EmulatedNortekAd2cp, ObeysItsCommands) {
   EXPECT_EQ(float_at(recorder.messages[0], 52), 0.0F) << "the bed at 30 m is out of range";
 }
 
+/// Offsets of the Signature Integrator's Guide.
+TEST(EmulatedNortekAd2cp, WithTheSignOfItsVelocityItIsASignature) {
+  const Frozen trajectory(level());
+  for (const bool of_bed : {false, true}) {
+    auto config = dvl();
+    config.velocity_of_bed = of_bed;
+    const auto sent = record(config, trajectory, 0.2);
+    ASSERT_EQ(sent.messages.size(), 1u);
+    const auto& r = sent.messages[0];
+    ASSERT_EQ(wire::NortekAd2cp::scan(r.bytes), wire::Scan::frame(120));
+    EXPECT_EQ(r.bytes[2], 0x17);
+    EXPECT_EQ(wire::load_le<std::uint16_t>(r.bytes, 10 + 30), 4 << 12 | 1 << 10) << "X, Y, Z";
+    EXPECT_EQ(wire::load_le<std::int32_t>(r.bytes, 10 + 78), of_bed ? -20000 : 20000);
+    EXPECT_EQ(wire::load_le<std::int32_t>(r.bytes, 10 + 82), of_bed ? -1230 : 1230);
+    EXPECT_EQ(wire::load_le<std::int32_t>(r.bytes, 10 + 94), 30000) << "mm";
+  }
+}
+
 }  // namespace nortek_ad2cp_test
 }  // namespace drydock::emulate
