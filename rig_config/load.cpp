@@ -118,6 +118,7 @@ Loaded<Rig> load_rig_text(std::string_view text, const std::string& path,
   for (DeviceConfig& device : rig.devices)
     if (is_description(device.protocol))
       device.description = find_description(device.protocol, path).value();
+  if (auto unheard = check_polled_lines(*root, path, rig.devices); !unheard.empty()) return unheard;
   if (options.devices_only) return rig;
   Problems problems;
   if (const Node* reference = root->find("rig")->find("mission")) {

@@ -40,4 +40,9 @@ Problems check_steering(const Node& root, const std::string& file, const Mission
 /// Checks of the actuators of a rig, whose mission is loaded: the vehicle must have what they move.
 Problems check_drives(const Node& root, const std::string& file, const Rig& rig);
 
+/// Two described sensors that are polled on one link need answers that begin differently: an answer
+/// does not say whose question it is for.
+Problems check_polled_lines(const Node& root, const std::string& file,
+                            const std::vector<DeviceConfig>& devices);
+
 }  // namespace drydock::rig_config

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "drivers/wire/hex.hpp"
+#include "rig_config/device_description/request_checksum.hpp"
 #include "rig_config/toml/read_keys.hpp"
 
 namespace drydock::rig_config {
@@ -56,8 +57,12 @@ std::vector<described::Request> read_requests(const Node& root, const char* grou
     const Node* text = table.find("send");
     const Node* hex = table.find("send_hex");
     if ((text != nullptr) == (hex != nullptr)) add(table, path, "one of: 'send', 'send_hex'");
-    const auto bytes = hex ? hex_bytes(hex->text) : std::optional(text ? text->text : "");
+    auto bytes = hex ? hex_bytes(hex->text) : std::optional(text ? text->text : "");
     if (hex && (!bytes || bytes->empty())) add(*hex, path, "expected pairs of hexadecimal digits");
+    if (const Node* sum = table.find("checksum"); sum && sum->boolean && bytes) {
+      const auto why_not = add_checksum(description.plan, *bytes);
+      if (!why_not.empty()) add(*sum, path + "/checksum", std::string(why_not));
+    }
     described::Request request{.bytes = bytes.value_or(""), .reply = {}, .refusal = {}, .says = {}};
     read(table, "reply", request.reply);
     read(table, "refusal", request.refusal);

@@ -34,5 +34,24 @@ TEST(RigProblems, EveryLinkMayHaveManyDevices) {
               IsEmpty());
 }
 
+std::string polled_on(const std::string& link, const std::string& name,
+                      const std::string& protocol) {
+  return "[[device]]\nname = \"" + name + "\"\nkind = \"depth\"\nprotocol = \"" + protocol +
+         "\"\nlink = \"" + link + "\"\n";
+}
+
+TEST(RigProblems, TwoChannelsOfOneUnitWhoseAnswersAreAlikeHaveNoLinkInCommon) {
+  const std::string line = "serial:/dev/ttyUSB0?baud=9600";
+  const auto first = polled_on(line, "p1", "keller.toml");
+  EXPECT_THAT(problems_of(first + polled_on(line, "tob1", "keller-tob1.toml")),
+              ElementsAre("r.toml:17:8: /device/2/link: 'p1' asks on this link too, and the "
+                          "answers to both begin alike, so that nobody can tell whose they are, "
+                          "allowed: a link of its own"));
+  EXPECT_THAT(
+      problems_of(first + polled_on("serial:/dev/ttyUSB1?baud=9600", "tob1", "keller-tob1.toml")),
+      IsEmpty());
+  EXPECT_THAT(problems_of(first + polled_on(line, "digiquartz", "digiquartz.toml")), IsEmpty());
+}
+
 }  // namespace shared_lines_test
 }  // namespace drydock::rig_config::test

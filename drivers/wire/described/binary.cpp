@@ -167,6 +167,7 @@ bool put_field(std::span<const Field> fields, const Field& field, const Readings
   const auto number = wire_number(fields, field, readings);
   const bool real = field.type == Type::real;
   if (!number && !real && !says_nothing_holds(fields, readings)) return false;
+  if (!number && !real && field.idle == 0) return true;  // another field may have a value there
   put(field, number.value_or(real ? std::nan("") : field.idle), out);
   return true;
 }

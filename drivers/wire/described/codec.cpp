@@ -129,8 +129,8 @@ double within_turn(const Field& field, double number, double low, double high) {
 bool measures_nothing(std::span<const Field> fields, const Readings& readings) {
   bool measures = false;
   for (const Field& field : fields) {
-    if (!field.target || is_time(*field.target)) continue;
-    measures = true;
+    if (!field.target || is_time(*field.target) || *field.target == Target::utc) continue;
+    measures = true;  // but a receiver without a fix may know the time
     if (readings.has(*field.target)) return false;
   }
   return measures || !readings.measured();

@@ -57,6 +57,20 @@ TEST(DescribedDrivers, AKellerThatLostItsPowerIsInitialisedAtOnce) {
   EXPECT_EQ(heard.sent.back(), poll) << "not faster than once a second";
 }
 
+/// A request of MediaTek's receivers, whose checksum is 31: $PMTK605*31.
+TEST(DescribedDrivers, TheChecksumIsPutBehindARequestThatAsksForIt) {
+  const std::string sentences =
+      "[sensor]\ntitle = \"t\"\nkind = \"depth\"\n[protocol]\nchecksum = \"xor\"\n"
+      "[[protocol.sentences]]\nid = \"$PD\"\nfields = [{field = \"depth_m\", unit = \"m\"}]\n"
+      "[[start]]\nsend = \"$PMTK605\"\nchecksum = true\n";
+  Heard heard;
+  driver_of(described(sentences))->restart(Stamp{}, heard);
+  EXPECT_EQ(heard.sent, (std::vector<std::string>{"$PMTK605*31\r\n"}));
+  std::string bare = sentences;
+  bare.replace(bare.find("xor"), 3, "none");
+  EXPECT_EQ(problems_of(bare), "toy.toml:11:12: /start/0/checksum: the protocol has no checksum\n");
+}
+
 constexpr std::string_view shy = R"(
 [sensor]
 title = "A sensor that can say no"

@@ -22,6 +22,11 @@ TEST(DescribedHnav, TheSampleOfItsMakerReadsAsItsDecoderSays) {
   const auto& fix = position.at<GnssFix>(0);
   EXPECT_NEAR(fix.position->latitude_rad / degree, 51.33064, 5e-6);
   EXPECT_NEAR(fix.position->longitude_rad / degree, -0.83569, 5e-6);
+  // Bytes 11 to 18, microseconds of UTC since 1970: 2021-09-20 08:24:45.385372. Doubles of seconds
+  // since 1970 have steps of 0.24 us.
+  EXPECT_LT(std::abs(measurement::seconds(fix.utc.value() -
+                                          measurement::stamp_from_ns(1'632'126'285'385'372'000))),
+            0.24e-6);
   // CEP50 1.9952 m is 1.1774 sigma of each axis (Rayleigh).
   EXPECT_NEAR(*fix.horizontal_accuracy_m, 1.9952174 / 1.1774100 * std::numbers::sqrt2, 1e-5);
   const auto depth = heard_of_fixture("hnav-depth.toml", "hnav.bin");
@@ -39,7 +44,7 @@ TEST(DescribedHnav, ATelegramGivesWhatItsStatusDoesNotCallBad) {
   const auto position = heard_of_fixture("hnav-position.toml", "hnav.bin");
   EXPECT_NEAR(position.at<GnssFix>(1).position->latitude_rad / degree, -33.5, 1e-7);
   EXPECT_NEAR(position.at<GnssFix>(1).position->longitude_rad / degree, 151.25, 1e-7);
-  EXPECT_FALSE(position.at<GnssFix>(2).position);
+  EXPECT_FALSE(position.at<GnssFix>(2).position || position.at<GnssFix>(2).utc);
   const auto velocity = heard_of_fixture("hnav-velocity.toml", "hnav.bin");
   EXPECT_LT((*velocity.at<BottomVelocity>(1).velocity - Eigen::Vector3d(2, 0.123, -0.045)).norm(),
             1e-12);

@@ -92,6 +92,31 @@ TEST(DescribedValues, KellerGivesBarsAndRefusesAFailedChannel) {
   EXPECT_EQ(valid, (std::vector{true, false}));
 }
 
+/// Channels 2 and 4 with their values, then with the status bits 20h (TOB2) and 90h (TOB1, unit).
+TEST(DescribedValues, AKellersOtherChannelsAreReadAndTheirFailuresRefused) {
+  struct Channel {
+    const char *file, *golden, *key;
+    double value;
+  };
+  for (const Channel& one :
+       {Channel{"keller-p2.toml", "keller-p2.bin", "pressure_pa", 75'000},
+        Channel{"keller-tob1.toml", "keller-tob1.bin", "temperature_k", 271.65}}) {
+    const wire::described::DescribedCodec codec(shipped(one.file));
+    const Buffer golden = fixture(std::string("described/") + one.golden);
+    std::vector<bool> valid;
+    wire::Framer<1024> framer;
+    framer.feed(
+        golden, [&](wire::Bytes b) { return codec.scan(b); },
+        [&](wire::Bytes frame, std::size_t) {
+          const auto record = std::get<Record>(codec.decode(frame).value());
+          if (record.type == "request") return;
+          EXPECT_NEAR(value_of(record, one.key), one.value, 1e-6) << one.file;
+          valid.push_back(record.valid);
+        });
+    EXPECT_EQ(valid, (std::vector{true, false})) << one.file;
+  }
+}
+
 TEST(DescribedValues, EncodedMessagesReadBackToHalfALastDigit) {
   using enum wire::described::Target;
   const auto vat = shipped("valeport-vat.toml");
