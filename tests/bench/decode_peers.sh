@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Compares drydock decode with gpsdecode (Debian's gpsd-clients) in turn: the same input bytes, JSON
-# Lines to /dev/null.
+# Compares drydock decode with gpsdecode (Debian's gpsd-clients), and on NMEA 2000 with canboat's analyzer and canboatjs, in turn: the
+# same input bytes, JSON Lines to /dev/null. A peer that is not installed is said to be missing.
 # usage: decode_peers.sh DRYDOCK
 set -euo pipefail
 drydock=$1
@@ -52,3 +52,45 @@ repeated "$fixtures/nmea2000/frames.log" 50000000
 frames=$(wc -l <"$work/input")
 awk -v f="$frames" -v s="$(seconds_of "$drydock" decode --quiet --protocol nmea2000)" 'BEGIN {
   printf "%-10s %7.2f million candump lines a second\n", "NMEA 2000", f / s / 1e6 }'
+
+# Messages of one frame that all three decode, of canboat's captures in canboat's own format: each line is one message.
+both_decode="127245 127250 127251 127252 127257 128259 129025 129026"
+lines_of_both() {
+  awk -F, -v wanted="$both_decode" 'BEGIN { n = split(wanted, pgns, " "); for (i = 1; i <= n; ++i) both[pgns[i]] }
+    $3 in both && $6 == 8' "$corpora/n2k/canboat/samples/furuno-130842-figure8-fast.head.raw"
+}
+
+beside_canboat() { # NAME GOAL COMMAND...: messages a second, counted in what each of the two writes
+  local name=$1 goal=$2 bytes lines theirs ours our_messages their_messages
+  shift 2
+  bytes=$(stat -c %s "$work/input") lines=$(wc -l <"$work/input")
+  ours=$(seconds_of "$drydock" decode --quiet --protocol nmea2000)
+  our_messages=$("$drydock" decode --quiet --protocol nmea2000 <"$work/input" | wc -l)
+  head -n $((lines / 8)) "$work/input" >"$work/part" && mv "$work/input" "$work/whole" && mv "$work/part" "$work/input"
+  theirs=$(seconds_of "$@")
+  their_messages=$("$@" <"$work/input" 2>/dev/null | grep -c '"pgn"')
+  mv "$work/whole" "$work/input"
+  awk -v name="$name" -v goal="$goal" -v n="$lines" -v on="$our_messages" -v o="$ours" -v tn="$their_messages" -v t="$theirs" 'BEGIN {
+    if (on != n || tn != int(n / 8)) { printf "%-10s decodes %d of %d messages, and we %d of %d\n", name, tn, n / 8, on, n; exit 1 }
+    printf "%-10s %7.2f million messages a second   %s %6.3f million   ratio %5.1f (goal %d)\n",
+      "NMEA 2000", n / o / 1e6, name, tn / t / 1e6, (n / o) / (tn / t), goal }'
+}
+
+npm=$fixtures/../build/npm/node_modules
+if [ ! -d "$corpora/n2k/canboat" ]; then
+  echo "NMEA 2000  beside canboat: no captures"
+else
+  lines_of_both >"$work/both"
+  repeated "$work/both" 10000000
+  if command -v analyzer >/dev/null; then
+    beside_canboat "analyzer" 5 analyzer -json -q
+  else
+    echo "NMEA 2000  beside canboat's analyzer: not installed, and Debian has no package of it"
+  fi
+  if [ -d "$npm/@canboat/canboatjs" ] && command -v node >/dev/null; then
+    export NODE_PATH=$npm
+    beside_canboat "canboatjs" 5 node "$(dirname "$(readlink -f "$0")")/canboatjs.cjs"
+  else
+    echo "NMEA 2000  beside canboatjs: not installed, ./rig bench installs it"
+  fi
+fi
