@@ -207,9 +207,11 @@ void BusMonitor::watch_times(Usual& usual, const wire::CanFrame& frame, Stamp at
   const auto busy = at - busy_since_;
   if (at - *first_ < learning) usual_busy_ = std::max(usual_busy_, busy);
   const bool unusual = busy > std::max<std::chrono::nanoseconds>(long_busy, usual_busy_ * 3 / 2);
+  const bool now = busy > long_busy;
+  const double by_others_s = by_others ? measurement::seconds(busy) : 0;
   node->frames.take(
       usual.key, origin, same,
-      {.now = busy > long_busy, .held_s = by_others && unusual ? measurement::seconds(busy) : 0});
+      {.now = now, .waits_s = now ? by_others_s : 0, .held_s = unusual ? by_others_s : 0});
 }
 
 bool BusMonitor::is_repeated(std::uint32_t key) {

@@ -73,7 +73,7 @@ void TimeMonitor::judge(Stream& stream, Raster::Arrival arrival, const measureme
     stream.allowed_s = line_s_;
     stream.raster.allow(line_s_);
   }
-  if (is_excused(stream, arrival, std::max(bus.held_s, shift_.most_s(at)))) {
+  if (is_excused(stream, arrival, std::max({bus.waits_s, bus.held_s, shift_.most_s(at)}))) {
     stream.raster.interrupt();
     interrupt(stream);
     last_stream_.reset();

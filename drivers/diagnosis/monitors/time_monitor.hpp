@@ -24,7 +24,8 @@ class TimeMonitor {
   /// A bus that had no pause, so that the message may be late.
   struct Busy {
     bool now = false;
-    double held_s = 0;  ///< by other nodes, for longer than ever in the first time
+    double waits_s = 0;  ///< for frames of other nodes, as long as on a sound bus
+    double held_s = 0;   ///< by other nodes, for longer than ever in the first time
   };
 
   /// `stream`: number of the kind of message (stream_of). `same`: all values are those of the

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <deque>
 #include <random>
 
+#include "drivers/wire/can/can_bits.hpp"
 #include "drivers/wire/j1939/j1939.hpp"
 #include "tests/drivers/diagnosis/signs.hpp"
 
@@ -87,6 +89,80 @@ TEST_F(BusThatIsWatched, BlamesNoNodeThatWaitsForTheBurstOfAnother) {
   }
   for (const Sign sign : {Sign::irregular, Sign::swapped, Sign::gaps, Sign::late, Sign::repeated})
     EXPECT_FALSE(signs.has(sign, rudder)) << to_string(sign);
+}
+
+/// An inertial unit of CANopen with three frames a hundred times a second, and a node of NMEA 2000
+/// whose four frames each 0.1 s go before two of them: its first 11 bits are 23Ch. Who is ready and
+/// has the lowest identifier sends, as on a real bus.
+struct BusOfFrames {
+  static constexpr double bitrate = 250'000;
+  struct Frame {
+    double ready_s;
+    std::uint32_t id;
+    bool extended;
+  };
+  BusOfFrames() {
+    Expected unit{.device = 0, .kind = measurement::Kind::imu, .nominal_rate_hz = 100};
+    unit.protocol.travels = wire::Travels::as_frames;
+    unit.protocol.network = wire::Network::canopen;
+    unit.address = 1;
+    monitor.emplace(std::vector{unit, BusThatIsWatched::node(1, 36)}, signs);
+  }
+  /// `jitter_s`: the messages of the second node come later by up to so much, in their order.
+  void run(double end_s, double jitter_s) {
+    for (; now < end_s; now += 0.01) {
+      for (const std::uint32_t id : {0x181U, 0x281U, 0x381U}) waiting.push_back({now, id, false});
+      if (tick++ % 10 == 0)
+        for (const std::uint32_t pgn : {127'245U, 127'245U, 127'245U, 127'488U}) {
+          latest = std::max(latest, now + jitter_s * uniform(random));
+          const auto id = wire::j1939::make_identifier({.priority = 2, .pgn = pgn, .source = 36});
+          held.push_back({latest, id, true});
+        }
+      if (tick % 10 == 1)
+        for (const std::uint32_t pgn : {127'257U, 128'267U, 130'314U})
+          waiting.push_back({now, BusThatIsWatched::id(pgn, 35), true});
+      send_until(now + 0.01);
+    }
+  }
+  void send_until(double end_s) {
+    while (!held.empty() && held.front().ready_s < end_s) {
+      waiting.push_back(held.front());
+      held.pop_front();
+    }
+    while (!waiting.empty()) {
+      const double from = std::max(free, std::ranges::min(waiting, {}, &Frame::ready_s).ready_s);
+      if (from >= end_s) return;
+      const auto priority = [&](const Frame& one) {
+        return one.ready_s > from ? 0xFFFFFFFF : one.extended ? one.id : one.id << 18;
+      };
+      const auto next = std::ranges::min_element(waiting, {}, priority);
+      auto frame = frame_of(next->id, next->extended);
+      frame.data[0] = ++count;
+      free = from + wire::wire_bits(frame) / bitrate;
+      monitor->take(frame, at_s(free));
+      waiting.erase(next);
+      if (count % 64 == 0) monitor->look(at_s(free));
+    }
+  }
+  Signs signs;
+  std::optional<BusMonitor> monitor;
+  std::vector<Frame> waiting;
+  std::deque<Frame> held;
+  double now = 0, free = 0, latest = 0;
+  long tick = 0;
+  std::uint8_t count = 0;
+  std::mt19937 random{3};
+  std::uniform_real_distribution<double> uniform;
+};
+
+TEST(BusWithANodeThatJitters, BlamesTheUnitForNothingWhoseFramesWaitForIt) {
+  BusOfFrames bus;
+  bus.run(60, 0);
+  EXPECT_TRUE(bus.signs.all.empty());
+  bus.run(360, 0.2);
+  EXPECT_TRUE(bus.signs.has(Sign::irregular, 1));
+  for (const Sign sign : {Sign::irregular, Sign::swapped, Sign::gaps, Sign::late, Sign::repeated})
+    EXPECT_FALSE(bus.signs.has(sign, 0)) << to_string(sign);
 }
 
 TEST_F(BusThatIsWatched, BlamesANodeThatComesLateWhileTheOtherGoesOn) {
