@@ -36,7 +36,7 @@ Problems check_polled_lines(const Node& root, const std::string& file,
   Problems problems;
   for_each_table(root, "device", [&](const Node& table, std::size_t i) {
     const Node* const link = table.find("link");
-    if (!all[i].description) return;
+    if (!link || !all[i].description) return;
     for (std::size_t j = 0; j < i; ++j) {
       if (all[j].link != all[i].link || !all[j].description) continue;
       if (!have_like_answers(*all[j].description, *all[i].description)) continue;
