@@ -6,6 +6,7 @@
 #include "drivers/terminal/early_end.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "hil/program/commands.hpp"
+#include "hil/program/dash_output.hpp"
 #include "hil/program/finish.hpp"
 #include "hil/program/load_rig.hpp"
 #include "hil/program/misspelled.hpp"
@@ -43,6 +44,7 @@ int obey(CLI::App& app, program::Command& command, int argc, char** argv) try {
     return wrong_usage(line);
   app.parse(argc, argv);
   program::spare_files(app);
+  program::begin_dash();
   return command();
 } catch (const CLI::ExtrasError& error) {
   return wrong_usage(program::misspelled_option(app, error));
@@ -72,5 +74,8 @@ int main(int argc, char** argv) {
   app.footer("drydock COMMAND --help shows an example of each.");
   program::Command command;
   for (const auto add : program::commands()) add(app, command);
-  return program::finish(obey(app, command, argc, argv));
+  program::take_dashes(app);
+  const int code = obey(app, command, argc, argv);
+  program::end_dash();
+  return program::finish(code);
 }

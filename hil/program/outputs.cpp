@@ -12,6 +12,7 @@
 
 #include "drivers/text/printable.hpp"
 #include "hil/program/completion_words.hpp"
+#include "hil/program/dash_output.hpp"
 
 namespace drydock::program {
 
@@ -116,6 +117,13 @@ void spare_inputs(const CLI::Option& output, const std::string& value, const Opt
 }
 
 }  // namespace
+
+void take_dashes(CLI::App& app) {
+  for (auto* command : app.get_subcommands({}))
+    for (auto* option : command->get_options())
+      if (const auto* output = output_of(*option); output != nullptr && !output->mark.empty())
+        take_dash(*option);
+}
 
 void spare_files(const CLI::App& app) {
   for (const auto* command : app.get_subcommands()) {

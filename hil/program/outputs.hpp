@@ -4,6 +4,9 @@
 
 namespace drydock::program {
 
+/// Lets each option of a command that names a file of text take `-` (dash_output.hpp).
+void take_dashes(CLI::App& app);
+
 /// Throws CLI::ValidationError where the chosen command would write over a file that it reads, two
 /// outputs into one file, or, without --overwrite, over a file that no earlier run of it can have
 /// written: a recording, a rig. Devices and pipes take anything.
