@@ -74,6 +74,7 @@ class Drive {
     }
     followers_.add(state_lines_);
     followers_.add(finding_lines_);
+    if (options.hints) followers_.add(hint_lines_.emplace(options.hints, host_.devices()));
     if (!options.record.path.empty())
       followers_.add(recorder_.emplace(rig, options.record, link::now(), record::WhenBehind::lose));
     if (options.serve.address.empty()) return;
@@ -122,6 +123,11 @@ class Drive {
         "`drydock run --record`");
   }
 
+  void tell(const std::vector<std::string>& lines) {
+    if (!lines.empty()) status_line_.wipe();
+    for (const auto& line : lines) print_line(line);
+  }
+
   void keep_ticking() {
     timer_.expires_after(tick_period);
     timer_.async_wait([this](const boost::system::error_code& ec) {
@@ -130,6 +136,7 @@ class Drive {
       followers_.tick(now);
       service_manager_.alive();
       if (link::steady_now() - start_ >= absent_after) tell_absence();
+      if (hint_lines_) tell(hint_lines_->news());
       keep_ticking();
     });
   }
@@ -140,6 +147,7 @@ class Drive {
     all_streaming_ = host_.all_streaming();
     status_line_.wipe();
     tell_absence();
+    if (hint_lines_) tell(hint_lines_->last());
     print_health(host_.shell());
     timer_.cancel();
     host_.stop();
@@ -157,6 +165,7 @@ class Drive {
   std::optional<RigRecorder> recorder_;
   std::optional<PageRecorder> page_recorder_;
   std::optional<RigViewer> viewer_;
+  std::optional<HintLines> hint_lines_;
   std::shared_ptr<Follower> behind_page_, beside_;
   DriverHost host_;
   boost::asio::steady_timer timer_{io_};

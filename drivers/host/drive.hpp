@@ -7,6 +7,7 @@
 #include "drivers/host/beside.hpp"
 #include "drivers/host/rig_recorder.hpp"
 #include "drivers/host/rig_viewer.hpp"
+#include "drivers/host/silence_hints.hpp"
 #include "rig_config/rig.hpp"
 
 namespace drydock::host {
@@ -20,8 +21,9 @@ struct DriveOptions {
   double duration_s = 0;  ///< 0: until Ctrl-C
   RecordOptions record;
   ServeOptions serve;
-  BehindPage behind_page;  ///< may be empty
-  Beside beside;           ///< may be empty
+  BehindPage behind_page;                    ///< may be empty
+  Beside beside;                             ///< may be empty
+  std::shared_ptr<SilenceHints> hints = {};  ///< may be null
 };
 
 /// Runs the drivers of a rig. They read the links and publish measurements and health on the bus;

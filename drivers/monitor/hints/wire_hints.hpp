@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "drivers/host/follower.hpp"
+#include "drivers/host/silence_hints.hpp"
 #include "drivers/survey/bus_survey.hpp"
 #include "drivers/survey/byte_survey.hpp"
 
@@ -13,15 +13,14 @@ namespace drydock::monitor {
 /// Listens to the wires of devices that say nothing, and tells a person why: another protocol,
 /// another address, a node that waits for its start, sentences that nobody uses. It tries all
 /// protocols on the first part of what comes, and only until the device gives its first message.
-class WireHints final : public host::Follower {
+class WireHints final : public host::SilenceHints {
  public:
-  void add(const device::Device& device);  ///< the device must outlive it
+  void add(const device::Device& device) override;
   void on_bytes(std::string_view link, shell::Direction, wire::Bytes bytes, Stamp at) override;
   void on_frame(std::string_view link, shell::Direction, const wire::CanFrame& frame,
                 Stamp at) override;
 
-  /// Empty: the device has spoken, or nothing came that would explain its silence.
-  std::string hint(const device::Device& device) const;
+  std::string hint(const device::Device& device) const override;
 
  private:
   struct HeardLine {

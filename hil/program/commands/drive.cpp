@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "drivers/host/drive.hpp"
+#include "drivers/monitor/hints/wire_hints.hpp"
 #include "estimators/host/diagnostician_beside.hpp"
 #include "hil/control/remote_faults.hpp"
 #include "hil/program/commands.hpp"
@@ -50,6 +51,7 @@ void add_drivers(CLI::App& app, Command& command, const std::string& name,
       claim(a->realtime);
       if (a->options.serve.allow_faults) a->options.behind_page = faults_behind_page(rig);
       a->options.beside = host::diagnostician_beside;
+      a->options.hints = std::make_shared<monitor::WireHints>();
       return host::drive(rig, a->options);
     };
   });
