@@ -12,12 +12,15 @@ struct Sign {
   std::string_view magic, advice;
 };
 
+/// python-can reads it from version 4.2 on, by asammdf.
+constexpr std::string_view mf4_advice =
+    "it is ASAM's MF4, which is not read: export asc or blf with the program of its logger, or "
+    "pip install 'python-can[mf4]' and then python3 -m can.logconvert FILE.mf4 FILE.asc";
+
 constexpr std::array<Sign, 5> signs{{
     {"\x89MCAP", "it is an MCAP recording: drydock info and drydock replay read it"},
-    {"MDF     ",
-     "it is ASAM's MF4, which is not read: export asc or blf with the program of its logger"},
-    {"UnFinMF ",
-     "it is ASAM's MF4, which is not read: export asc or blf with the program of its logger"},
+    {"MDF     ", mf4_advice},
+    {"UnFinMF ", mf4_advice},
     {"\xFF\xFE", "it is text in UTF-16: convert it first with iconv -f UTF-16 -t UTF-8"},
     {"\xFE\xFF", "it is text in UTF-16: convert it first with iconv -f UTF-16 -t UTF-8"},
 }};
@@ -30,6 +33,8 @@ constexpr std::string_view other_packets =
     "tcpdump -i can0 -w FILE";
 
 }  // namespace
+
+bool is_measurement_data(wire::Bytes head) { return foreign_content(head) == mf4_advice; }
 
 std::string_view foreign_content(wire::Bytes head) {
   const std::string_view text{reinterpret_cast<const char*>(head.data()), head.size()};

@@ -10,4 +10,7 @@ namespace drydock::capture {
 /// of 16 bits a letter, or packets of another network. Empty for any other file.
 std::string_view foreign_content(wire::Bytes head);
 
+/// ASAM's MDF 4 (MF4), whose bytes are those of no line either.
+bool is_measurement_data(wire::Bytes head);
+
 }  // namespace drydock::capture

@@ -5,6 +5,7 @@
 
 #include "drivers/decode/decode.hpp"
 #include "drivers/decode/replay.hpp"
+#include "hil/program/look_of_capture.hpp"
 #include "hil/replay/replay_rig.hpp"
 #include "rig_config/file_trouble.hpp"
 #include "rig_config/nearest_file.hpp"
@@ -18,6 +19,7 @@ inline void must_be_readable(const std::string& file) {
     throw std::runtime_error(file + ": " + why + rig_config::nearest_file(file));
   if (file.ends_with(".mcap") && !replay::is_recording(file))
     throw std::runtime_error(file + ": byte 0: not an MCAP file");
+  must_be_no_foreign_file(file);
 }
 
 /// The options of a capture without a rig, for commands that also take recordings.

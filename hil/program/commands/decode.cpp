@@ -44,6 +44,7 @@ void add_decode(CLI::App& app, Command& command) {
         throw std::runtime_error(options->file +
                                  " is a recording of a rig: drydock replay and drydock topic read "
                                  "it, drydock export --to raw gives the bytes of its lines");
+      must_be_no_foreign_file(options->file);
       options->description = load_protocol(options->protocol);
       const int code = decode::decode(*options, stdout, stderr);
       if (code == terminal::exit_failed) say_what_it_looks_like(options->file, options->protocol);

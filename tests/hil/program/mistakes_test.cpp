@@ -114,7 +114,8 @@ TEST(Mistakes, AnEmptyFileIsCalledEmptyByThoseThatMakeATrackToo) {
 TEST(Mistakes, AFolderOrADeviceIsNoFile) {
   expect_told({{"info /dev/null", 1, "is a device or a pipe, not a file"},
                {"diagnose .", 1, "is a folder, not a file"},
-               {"track .", 1, "is a folder, not a file"}});
+               {"track .", 2,
+                "--rig, whose devices read several captures, or --protocol of the one sensor"}});
 }
 
 TEST(Mistakes, ANameOfAShippedFileIsTakenByEveryCommandOfThatKind) {
@@ -143,6 +144,21 @@ TEST(Mistakes, ARecordingIsNoCaptureOfALine) {
                 "is a recording of a rig: drydock replay and drydock topic read it"}});
 }
 
+/// The magic of ASAM MDF 4: the file identifier "MDF     ", of a logger that was cut "UnFinMF ".
+TEST(Mistakes, AnMf4FileIsToldHowItIsConverted) {
+  const Folder folder;
+  const auto file = (folder / "dive.mf4").string();
+  for (const char* magic : {"MDF     ", "UnFinMF "}) {
+    std::ofstream(file) << magic << "4.10    drydock" << std::string(100, '\x01');
+    const std::string why = "it is ASAM's MF4, which is not read";
+    expect_told({{"decode " + file, 1, why},
+                 {"decode " + file + " --protocol pd0", 1, why},
+                 {"decode " + file + " --protocol nmea2000", 1, "python3 -m can.logconvert"},
+                 {"replay " + file + " --protocol pd0", 1, why},
+                 {"track " + file + " --protocol pd0", 1, why}});
+  }
+}
+
 TEST(Mistakes, SeveralCapturesNeedTheRigThatReadsThem) {
   const std::string pd0 = "fixtures/pd0/golden.pd0 ";
   expect_told({
@@ -152,6 +168,9 @@ TEST(Mistakes, SeveralCapturesNeedTheRigThatReadsThem) {
       {"replay " + pd0 + dive + " --rig demo", 1, dive + ": a recording is played alone"},
       {"replay sonar=" + pd0 + "--rig demo --quiet", 2, "no device of"},
       {"replay dvl=" + pd0 + "--rig demo --quiet", 0, "golden.pd0 (1268 bytes): read by dvl"},
+      {"track " + pd0 + pd0, 2, "--rig, whose devices read several captures, or --protocol"},
+      {"compare sonar=" + pd0 + "--rig demo --estimators leveling", 2, "no device of"},
+      {"track fixtures/nmea0183 --protocol pd0", 1, "made no measurement of it"},
   });
 }
 
@@ -169,6 +188,18 @@ TEST(Mistakes, AWrongProtocolIsToldWhichOneItLooksLike) {
       {"monitor tcp:127.0.0.1:9 --protocol nmea2000", 2,
        "a byte link carries no protocol \"nmea2000\"; allowed: ubx"},
   });
+}
+
+/// The emulated DVL of the demo rig sends PD0.
+TEST(Mistakes, ARecordOfTheWrongProtocolIsToldWhichOneItLooksLike) {
+  const Folder folder;
+  const auto rig = (folder / "rig.toml").string();
+  std::ofstream(rig) << "[rig]\nname = \"wrong\"\n[[device]]\nname = \"head\"\nkind = \"dvl\"\n"
+                        "protocol = \"pd4\"\nlink = \"pty:dvl\"\nrate_hz = 5\n";
+  const auto told = drydock(program::emulated_demo + "record " + rig + " --for 4s -o " +
+                            (folder / "dive.mcap").string());
+  EXPECT_EQ(told.exit_code, 1) << told.output;
+  EXPECT_THAT(told.output, HasSubstr("head: bytes, but no pd4 frame; they look like pd0\n"));
 }
 
 TEST(Mistakes, AnOptionAndItsValueAreToldInTheirOrder) {
