@@ -19,6 +19,12 @@ bool BinaryGuess::has_one_length() const {
 
 namespace {
 
+/// Frames whose sum is zero make longer ones whose sum is zero too.
+bool cuts_shorter(const std::optional<BinaryGuess>& a, const std::optional<BinaryGuess>& b) {
+  return a && b && a->sum.has_value() == b->sum.has_value() &&
+         a->frames.size() > b->frames.size() && a->bytes() * 50 > b->bytes() * 49;
+}
+
 /// With a checksum, or as much as the other has and many more bytes.
 bool explains_more(const std::optional<BinaryGuess>& a, const std::optional<BinaryGuess>& b) {
   if (!a || !b) return a.has_value();
@@ -30,7 +36,8 @@ bool explains_more(const std::optional<BinaryGuess>& a, const std::optional<Bina
 /// explains more of the capture, and of two that explain as much the one with shorter frames.
 std::optional<BinaryGuess> plain_guess(wire::Bytes capture) {
   auto by_length = guess_lengths(capture), by_id = guess_ids(capture);
-  const bool by_field = by_length && by_length->length && !explains_more(by_id, by_length);
+  const bool by_field = by_length && by_length->length && !explains_more(by_id, by_length) &&
+                        !cuts_shorter(by_id, by_length);
   if (by_field && by_length->sum) return by_length;
   auto by_period = guess_period(capture);
   const bool others = explains_more(by_period, by_id) || explains_more(by_length, by_id);

@@ -15,8 +15,7 @@ namespace {
 
 using wire::Bytes;
 
-constexpr std::size_t furthest_id_byte = 3, id_neighbours = 4, fewest_id_frames = 16,
-                      fewest_of_an_id = 4;
+constexpr std::size_t furthest_id_byte = 3, fewest_id_frames = 16, fewest_of_an_id = 4;
 constexpr std::size_t most_id_kinds = wire::described::most_messages, most_ids_tried = 16;
 constexpr std::size_t enough_for_ids = 1u << 16;
 
@@ -31,17 +30,24 @@ struct TriedId {
   bool in_turn = true;  ///< behind each identifier always comes the same one
 };
 
-/// True if few values stand there, each of them often.
+/// A sync of one byte stands in the values too: of these places few have an identifier behind them,
+/// and many lie between two frames.
+std::size_t neighbours_of(const Sync& sync) { return sync.size == 1 ? 16 : 4; }
+
+/// True if few values stand there often, and seldom others.
 bool may_be_id(const Sync& sync, std::size_t at, Bytes capture) {
   std::array<std::size_t, 256> times{};
   for (const std::size_t place : sync.places)
     if (place + at < capture.size()) ++times[capture[place + at]];
+  const std::size_t by_chance = sync.size == 1 ? sync.places.size() / times.size() : 0;
+  const std::size_t often = std::max(fewest_of_an_id, 4 * by_chance);
   std::size_t kinds = 0, covered = 0;
   for (const std::size_t one : times) {
-    kinds += one >= fewest_of_an_id;
-    covered += one >= fewest_of_an_id ? one : 0;
+    kinds += one >= often;
+    covered += one >= often ? one : 0;
   }
-  return kinds >= 2 && kinds <= most_id_kinds && covered * 4 >= sync.places.size() * 3;
+  const std::size_t quarters = sync.size == 1 ? 1 : 3;
+  return kinds >= 2 && kinds <= most_id_kinds && covered * 4 >= sync.places.size() * quarters;
 }
 
 /// The shortest of the distances that come nearly as often as any: behind a frame stand more.
@@ -61,7 +67,8 @@ Lengths lengths_of(const Sync& sync, std::size_t id_at, Bytes capture) {
     if (frame + id_at >= capture.size()) break;
     const std::uint8_t id = capture[frame + id_at];
     ++times[id];
-    for (std::size_t j = i + 1; j < std::min(i + 1 + id_neighbours, sync.places.size()); ++j) {
+    for (std::size_t j = i + 1; j < std::min(i + 1 + neighbours_of(sync), sync.places.size());
+         ++j) {
       const std::size_t distance = sync.places[j] - frame;
       if (distance > id_at && distance >= shortest_synced_frame - 1 &&
           distance <= wire::described::longest_frame)
@@ -156,7 +163,7 @@ bool is_better_id(const BinaryGuess& a, const BinaryGuess& b) {
   if (less * 50 < more * 49) return a.bytes() == more;
   const auto rank = [](const BinaryGuess& g) {
     return std::tuple(ends_many(g.frames[0][0]), 2 - g.sync, g.sum ? g.sum->behind : 0,
-                      g.sum ? g.sum->from : 0, *g.id_at, ~g.bytes(), g.frames[0].data());
+                      g.sum ? g.sum->from : 0, ~g.bytes(), *g.id_at, g.frames[0].data());
   };
   return rank(a) < rank(b);
 }

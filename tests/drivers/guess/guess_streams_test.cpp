@@ -37,21 +37,25 @@ void end_frame(Buffer& frame, const Ending& ending) {
     frame.push_back(static_cast<std::uint8_t>(sum >> 8 * (ending.big ? ending.bytes - 1 - i : i)));
 }
 
-/// Messages 11h, 12h and 20h with three, seven and ten 16-bit values.
+/// Messages without a byte that says their length.
 class Stream {
  public:
-  enum class Order { random, in_turn };
+  enum class Order { random, in_turn, mostly_one };
   Buffer head{0xA5, 0x5A};
+  /// Identifiers, and so many 16-bit values.
+  std::vector<std::pair<std::uint8_t, int>> kinds{{0x11, 3}, {0x12, 7}, {0x20, 10}};
   Ending ending;
   Order order = Order::random;
   /// What stands between the identifier and the values of frame `i`.
   std::function<void(Buffer&, std::size_t)> middle = [](Buffer&, std::size_t) {};
 
   Buffer capture(std::size_t count = 600) {
-    constexpr std::array<std::pair<std::uint8_t, int>, 3> kinds{{{0x11, 3}, {0x12, 7}, {0x20, 10}}};
     Buffer all;
     for (std::size_t i = 0; i < count; ++i) {
-      const auto& [id, values] = kinds.at(order == Order::in_turn ? i % 3 : random_() % 3);
+      const bool first = order == Order::mostly_one && random_() % 10 < 8;
+      const auto& [id, values] = kinds.at(order == Order::in_turn ? i % 3
+                                          : first                 ? 0
+                                                                  : random_() % 3);
       Buffer frame = head;
       frame.push_back(id);
       middle(frame, i);
@@ -138,7 +142,8 @@ INSTANTIATE_TEST_SUITE_P(
                                          Ending{"sum-8-negative", 1, 3, true},
                                          Ending{"sum-16-negative", 2, 0, true},
                                          Ending{"sum-16-negative", 2, 2, true, true}),
-                       ::testing::Values(Stream::Order::random, Stream::Order::in_turn)));
+                       ::testing::Values(Stream::Order::random, Stream::Order::in_turn,
+                                         Stream::Order::mostly_one)));
 
 TEST(GuessOfSeveralMessages, BeginsWhereTheCaptureIsCut) {
   Stream stream;
@@ -150,13 +155,30 @@ TEST(GuessOfSeveralMessages, BeginsWhereTheCaptureIsCut) {
   EXPECT_EQ(RoundTrip(guess, capture).decoded.counters.frames, 599u);
 }
 
-TEST(GuessOfSeveralMessages, IsOfOneByteOfSyncToo) {
+/// FEh is the high byte of many small negative values.
+TEST(GuessOfSeveralMessages, IsOfOneByteOfSyncTooThoughItStandsInTheValues) {
+  for (const std::uint8_t sync : {0xAA, 0xFE}) {
+    Stream stream;
+    stream.head = {sync};
+    stream.ending = {"sum-8", 1, 1};
+    const Buffer capture = stream.capture();
+    const auto guess = guess::guess_description(capture);
+    EXPECT_THAT(guess, HasSubstr(fmt::format("sync = \"{:02X} 11\"\nlength = 9\n", sync)));
+    expect_all_decoded(guess, capture, 600);
+  }
+}
+
+/// Two frames whose bytes add up to zero do so together too. Here the identifiers 1 and 3 are the
+/// lengths of the pairs that they begin, less 29.
+TEST(GuessOfSeveralMessages, IsNotOfPairsOfThem) {
   Stream stream;
-  stream.head = {0xAA};
-  stream.ending = {"sum-8", 1, 1};
+  stream.order = Stream::Order::in_turn;
+  stream.head = {0x24, 0x40, 0x00};
+  stream.kinds = {{1, 3}, {2, 7}, {3, 5}, {4, 6}};
+  stream.ending = {"sum-8-negative", 1, 0, true};
   const Buffer capture = stream.capture();
   const auto guess = guess::guess_description(capture);
-  EXPECT_THAT(guess, HasSubstr("sync = \"AA 11\"\nlength = 9\n"));
+  EXPECT_THAT(guess, HasSubstr("sync = \"24 40\"\nlength = 11\n"));
   expect_all_decoded(guess, capture, 600);
 }
 
