@@ -51,10 +51,11 @@ void print_tasks(const std::vector<std::string>& jobs, std::FILE* out, std::FILE
 }  // namespace
 
 std::string progress_text(const Ledger& ledger, std::size_t runs, std::int64_t now_ms) {
-  const std::size_t left = missing_runs(ledger, runs).size();
+  const std::size_t left = runs - ledger.records.size();
   const auto failed = std::ranges::count_if(
       ledger.records, [](const auto& entry) { return !entry.second.failure.empty(); });
-  std::string text = fmt::format("{} of {} runs, {} failed", runs - left, runs, failed);
+  std::string text = fmt::format("{} of {} runs, {} failed{}", ledger.records.size(), runs, failed,
+                                 left == 0 && failed > 0 ? "; --resume runs these again" : "");
   const auto ends = last_ends(ledger);
   if (left == 0 || ends.empty()) return text;
   if (const double rate = rate_of(ends); rate > 0)
@@ -71,8 +72,7 @@ int print_status(const CampaignOptions& options, std::FILE* out, std::FILE* erro
   const Ledger ledger = read_ledger(journal_folder(folder), runs, config->figures.size());
   const auto now = std::chrono::duration_cast<std::chrono::milliseconds>(
       std::chrono::system_clock::now().time_since_epoch());
-  const double done =
-      1 - static_cast<double>(missing_runs(ledger, runs).size()) / static_cast<double>(runs);
+  const double done = static_cast<double>(ledger.records.size()) / static_cast<double>(runs);
   fmt::print(out, "{} {} {}\n", config->name, terminal::progress_bar(done),
              progress_text(ledger, runs, now.count()));
   print_tasks(submitted_jobs(folder), out, errors);

@@ -14,6 +14,7 @@
 #include "hil/campaign/runs/one_run.hpp"
 #include "hil/campaign/slurm/run_shard.hpp"
 #include "hil/campaign/slurm/slurm_engine.hpp"
+#include "hil/campaign/slurm/slurm_folder.hpp"
 #include "hil/campaign/slurm/slurm_jobs.hpp"
 #include "hil/study/run/study_progress.hpp"
 
@@ -76,13 +77,21 @@ int run_campaign(const CampaignOptions& options, std::FILE* out, std::FILE* erro
     }
   }
   if (options.slurm && !options.resume) largest_array();  // without Slurm nothing is begun
+  const bool is_new = !fs::exists(folder_of(options));
   const auto campaign = open_campaign(options, errors);
   if (!campaign) return terminal::exit_usage;
   const CoordinatorLock lock(campaign->out);
-  if (options.slurm)
-    return run_on_slurm(*campaign, options, out, errors)
-               ? finish_campaign(*campaign, options, out, errors)
-               : terminal::exit_success;
+  if (options.slurm) {
+    const bool all_done = [&] {
+      try {
+        return run_on_slurm(*campaign, options, out, errors);
+      } catch (const std::exception&) {
+        if (is_new && submitted_jobs(campaign->out).empty()) fs::remove_all(campaign->out);
+        throw;
+      }
+    }();
+    return all_done ? finish_campaign(*campaign, options, out, errors) : terminal::exit_success;
+  }
   const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
   do_missing(*campaign, options.jobs > 0 ? options.jobs : processors, errors);
   return finish_campaign(*campaign, options, out, errors);

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "hil/campaign/report/repeat.hpp"
 #include "hil/campaign/report/summary.hpp"
 
@@ -8,7 +10,14 @@ namespace {
 
 using report::Table;
 
-std::string digits(double value) { return fmt::format("{:.5g}", value); }
+/// Five digits, but never fewer than stand before the point: a time since 1970 is read by its
+/// seconds. All of them are in summary.json and results.sqlite.
+std::string digits(double value) {
+  constexpr double five_digits = 1e5, too_long = 1e15;
+  const double size = std::abs(value);
+  return size >= five_digits && size < too_long ? fmt::format("{:.0f}", value)
+                                                : fmt::format("{:.5g}", value);
+}
 
 std::string bounded(const Quantile& q) {
   const auto bound = [](const std::optional<double>& x) { return x ? digits(*x) : "-"; };

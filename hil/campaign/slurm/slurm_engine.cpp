@@ -41,6 +41,13 @@ std::string task_command(const OpenCampaign& campaign, const fs::path& list, uns
                      shell_word(fs::absolute(list).string()));
 }
 
+/// A list that no job reads.
+void take_back(const fs::path& list) {
+  std::error_code ignored;
+  fs::remove(list, ignored);
+  fs::remove(list.parent_path(), ignored);  // where it is empty
+}
+
 /// The jobs of this submission.
 std::vector<std::string> submitted(const OpenCampaign& campaign, const CampaignOptions& options,
                                    const std::vector<std::size_t>& missing) {
@@ -49,14 +56,19 @@ std::vector<std::string> submitted(const OpenCampaign& campaign, const CampaignO
   const std::size_t shards = write_shards(list, missing, shard_size(options, missing.size()));
   const unsigned cpus = std::max(1U, options.jobs);
   std::vector<std::string> jobs;
-  for (std::size_t first = 0; first < shards; first += most) {
-    jobs.push_back(submit({.first = first,
-                           .count = std::min(most, shards - first),
-                           .cpus = cpus,
-                           .command = task_command(campaign, list, cpus),
-                           .log_folder = fs::absolute(slurm_folder(campaign.out)),
-                           .more = blank_separated(options.sbatch)}));
-    note_job(campaign.out, jobs.back());
+  try {
+    for (std::size_t first = 0; first < shards; first += most) {
+      jobs.push_back(submit({.first = first,
+                             .count = std::min(most, shards - first),
+                             .cpus = cpus,
+                             .command = task_command(campaign, list, cpus),
+                             .log_folder = fs::absolute(slurm_folder(campaign.out)),
+                             .more = blank_separated(options.sbatch)}));
+      note_job(campaign.out, jobs.back());
+    }
+  } catch (const std::exception&) {
+    if (jobs.empty()) take_back(list);
+    throw;
   }
   return jobs;
 }

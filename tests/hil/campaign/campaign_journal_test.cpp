@@ -139,5 +139,17 @@ TEST(CampaignStatus, KnowsTheRateAndTheTimeLeft) {
   EXPECT_EQ(progress_text({}, 5, 7000), "0 of 5 runs, 0 failed");
 }
 
+TEST(CampaignStatus, AFailedRunIsDone) {
+  Ledger ledger;
+  for (std::size_t i = 0; i < 5; ++i) {
+    ledger.records[i] = sound(i, 0);
+    ledger.records[i].ended_ms = 1000 + 500 * static_cast<std::int64_t>(i);
+  }
+  ledger.records[3].failure = "exit code 1";
+  EXPECT_EQ(progress_text(ledger, 7, 3000),
+            "5 of 7 runs, 1 failed, 2 runs/s, 1 s left, the last one ended 0 s ago");
+  EXPECT_EQ(progress_text(ledger, 5, 3000), "5 of 5 runs, 1 failed; --resume runs these again");
+}
+
 }  // namespace
 }  // namespace campaign_journal_test

@@ -27,6 +27,31 @@ TEST(CampaignProgram, WithoutSlurmItsEngineLeavesNothingBehind) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
+/// Slurm that is there, and an account that may not submit.
+TEST(CampaignProgram, WhatSbatchRefusesLeavesNothingBehind) {
+  const Folder folder;
+  const auto tool = [&](const std::string& name, const std::string& does) {
+    write(folder / name, "#!/bin/sh\n" + does + "\n");
+    std::filesystem::permissions(folder / name, std::filesystem::perms::owner_all);
+  };
+  tool("scontrol", "echo 'MaxArraySize            = 1001'");
+  tool("sbatch", "echo 'sbatch: error: invalid account' >&2; exit 1");
+  const auto out = folder / "out";
+  const std::string command = "campaign " DRYDOCK_SOURCE_DIR
+                              "/rig_config/campaigns/turning.toml --engine slurm --out " +
+                              out.string();
+  const std::string path = "PATH=" + (folder / "").string() + ":/usr/bin:/bin";
+  const auto refused = drydock(command, path);
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("invalid account"));
+  EXPECT_FALSE(std::filesystem::exists(out));
+  std::filesystem::create_directories(out);
+  write(out / "mine.txt", "kept");
+  EXPECT_EQ(drydock(command, path).exit_code, 1);
+  EXPECT_TRUE(std::filesystem::exists(out / "mine.txt"));
+  EXPECT_FALSE(std::filesystem::exists(out / "slurm"));
+}
+
 TEST(CampaignProgram, OneAndSeveralAtATimeGiveTheSameBytes) {
   const Folder folder;
   const std::string file = DRYDOCK_SOURCE_DIR "/rig_config/campaigns/turning.toml";
@@ -51,6 +76,18 @@ TEST(CampaignProgram, ARowHasTheFiguresOfTheCommandRunAlone) {
   const auto rows = column(folder / "out" / "results.sqlite",
                            "SELECT speed || ' ' || rudder FROM runs WHERE \"index\" = 14");
   EXPECT_THAT(rows, testing::ElementsAre("2.0 20"));
+}
+
+/// Seconds since 1970, as a receiver tells them.
+TEST(CampaignProgram, ItsTablesHaveTheDigitsBeforeThePointAndItsFilesAllOfThem) {
+  const Folder folder;
+  write(folder / "a.toml", campaign_text("echo '{\"y\": 1419009475.9375, \"x\": {x}}'", 5));
+  const auto told =
+      drydock("campaign " + (folder / "a.toml").string() + " --out " + (folder / "out").string());
+  EXPECT_THAT(told.output, HasSubstr(" 1419009476 "));
+  EXPECT_THAT(told.output, testing::Not(HasSubstr("e+09")));
+  const auto summary = Json::parse(read_file(folder / "out" / "summary.json"));
+  EXPECT_EQ(summary["figures"][0]["mean"], 1419009475.9375);
 }
 
 TEST(CampaignProgram, ComparesWithAnEarlierCampaignRunByRun) {
