@@ -6,13 +6,6 @@
 #include "hil/score/track.hpp"
 
 namespace drydock::score {
-namespace {
-
-/// ROS says so of a variance by 0 or below, or by a very large one.
-constexpr double large_variance = 1e6;
-
-}  // namespace
-
 bool is_of_nothing(double variance) { return variance < 0 || variance >= large_variance; }
 
 KnownCovariance known_covariance(Eigen::Matrix3d covariance) {

@@ -13,6 +13,9 @@ struct KnownCovariance {
   std::string flaw;
 };
 
+/// ROS says so of a variance by 0 or below, or by one that is as large.
+inline constexpr double large_variance = 1e6;
+
 /// Whether the number with this variance is none, as ROS says it.
 bool is_of_nothing(double variance);
 

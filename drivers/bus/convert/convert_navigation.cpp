@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "drivers/bus/convert/convert.hpp"
 #include "drivers/measurement/units.hpp"
@@ -35,6 +36,20 @@ void set(double (&covariance)[36], int row, int column, const Eigen::Matrix3d& v
     for (int j = 0; j < 3; ++j) covariance[6 * (3 * row + i) + 3 * column + j] = values(i, j);
 }
 
+/// What is not known becomes the largest variance, which depends on nothing. Odometry has no sign
+/// for it: robot_localization takes the amount of a variance below 0, takes 0 as exact, and loses
+/// its state by a NaN.
+void replace_unknown(double (&covariance)[36]) {
+  Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>> all(covariance);
+  for (int i = 0; i < 6; ++i) {
+    if (std::isfinite(all(i, i))) continue;
+    all.row(i).setZero();
+    all.col(i).setZero();
+    all(i, i) = unknown_variance;
+  }
+  all = all.unaryExpr([](double value) { return std::isfinite(value) ? value : 0.0; });
+}
+
 }  // namespace
 
 bool fill(OdometryMessage& message, const Navigation& navigation) {
@@ -51,6 +66,7 @@ bool fill(OdometryMessage& message, const Navigation& navigation) {
   set(message.pose.covariance, 0, 1, enu_block(navigation, position, rotation));
   set(message.pose.covariance, 1, 0, enu_block(navigation, rotation, position));
   set(message.pose.covariance, 1, 1, enu_block(navigation, rotation, rotation));
+  replace_unknown(message.pose.covariance);
 
   const Eigen::Matrix3d ned_to_flu = frd_to_flu * body_to_ned.transpose();
   const Eigen::Vector3d v = ned_to_flu * navigation.velocity_ned;
@@ -59,7 +75,8 @@ bool fill(OdometryMessage& message, const Navigation& navigation) {
   std::ranges::fill(message.twist.covariance, 0.0);
   set(message.twist.covariance, 0, 0,
       ned_to_flu * block(navigation, velocity, velocity) * ned_to_flu.transpose());
-  set(message.twist.covariance, 1, 1, -Eigen::Matrix3d::Identity());
+  set(message.twist.covariance, 1, 1, unknown_variance * Eigen::Matrix3d::Identity());
+  replace_unknown(message.twist.covariance);
   return true;
 }
 

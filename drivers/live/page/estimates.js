@@ -21,6 +21,8 @@ const part = {
 };
 const truths = Object.fromEntries(Object.keys(part).map((kind) => [kind, new Truths(mixed)]));
 
+// A variance of 1e6 says that nobody knows it.
+const sigmaOf = (variance) => (variance >= 1e6 ? NaN : Math.sqrt(variance));
 const around = (value, sigma) => [value, value - 3 * sigma, value + 3 * sigma];
 const error = (value, sigma) => [value, -3 * sigma, 3 * sigma];
 
@@ -39,14 +41,14 @@ function metres(from, to) {
 function attitude(name, t, message, truth) {
   const value = eulerOf(message.orientation), true_ = truth && eulerOf(truth.orientation);
   ['roll', 'pitch'].forEach((axis, i) => {
-    const sigma = Math.sqrt(message.orientation_covariance[4 * i]) / degree;
+    const sigma = sigmaOf(message.orientation_covariance[4 * i]) / degree;
     plot('estimates', `${name}: ${axis}`, 'deg', [{ label: `${name} ± 3σ`, band: true }, { label: 'truth', dash: true }], { axes: axes.turns })
       .add(t, [around(value[axis] / degree, sigma), true_ && true_[axis] / degree]);
   });
 }
 
 function position(name, t, fix, truth, alone) {
-  const [east, north, up] = [0, 4, 8].map((i) => Math.sqrt(fix.position_covariance[i]));
+  const [east, north, up] = [0, 4, 8].map((i) => sigmaOf(fix.position_covariance[i]));
   trackPoint(name, fix);
   depthProfile(name, t, around(-fix.altitude, up));
   if (truth) {
@@ -61,7 +63,7 @@ function position(name, t, fix, truth, alone) {
 // In body axes; the twist of ROS is forward and to port. The heading uses the pose's covariance.
 function odometry(name, t, { pose, twist }, truth, alone) {
   const is = twist.twist.linear;
-  const [x, y] = [0, 7].map((i) => Math.sqrt(twist.covariance[i])), turned = Math.sqrt(pose.covariance[35]) / degree;
+  const [x, y] = [0, 7].map((i) => sigmaOf(twist.covariance[i])), turned = sigmaOf(pose.covariance[35]) / degree;
   const heading = eulerOf(pose.pose.orientation).heading;
   const pair = [{ label: 'forward ± 3σ', band: true }, { label: 'starboard ± 3σ', band: true }];
   if (truth) {

@@ -263,7 +263,37 @@ TEST(BusConversion, ANavigationBecomesOdometryInEnuAndFlu) {
   EXPECT_DOUBLE_EQ(message.pose.covariance[7], 1);
   EXPECT_DOUBLE_EQ(message.pose.covariance[21], 2e-6);
   EXPECT_NEAR(message.twist.covariance[0], 0.04, 1e-12);
-  EXPECT_DOUBLE_EQ(message.twist.covariance[35], -1);
+  EXPECT_EQ(message.twist.covariance[35], 1e6) << "no angular velocity";
+}
+
+/// robot_localization, src/ekf.cpp: a variance below 0 counts by its amount, one below 1e-9 as
+/// 1e-9, a NaN goes into the gain. So a number that gives no weight is the only one that is safe.
+TEST(BusConversion, AnOdometryOfWhichNobodyTellsTheCovarianceGetsNoWeightInAFilter) {
+  const double untold = std::nan("");
+  Navigation navigation;
+  navigation.velocity_ned = {1, 0, 0};
+  navigation.covariance.setConstant(untold);
+  OdometryMessage message{};
+  ASSERT_TRUE(fill(message, navigation));
+  for (int i = 0; i < 36; ++i) {
+    const double expected = i % 7 == 0 ? 1e6 : 0;
+    EXPECT_EQ(message.pose.covariance[i], expected) << i;
+    EXPECT_EQ(message.twist.covariance[i], expected) << i;
+  }
+}
+
+TEST(BusConversion, AnOdometryKeepsTheCovariancesThatAreTold) {
+  Navigation navigation;
+  navigation.covariance.setConstant(std::nan(""));
+  navigation.covariance.topLeftCorner<2, 2>() << 1, 0.5, 0.5, 4;  // north and east, no height
+  OdometryMessage message{};
+  ASSERT_TRUE(fill(message, navigation));
+  EXPECT_EQ(message.pose.covariance[0], 4);
+  EXPECT_EQ(message.pose.covariance[1], 0.5);
+  EXPECT_EQ(message.pose.covariance[7], 1);
+  EXPECT_EQ(message.pose.covariance[14], 1e6);
+  EXPECT_EQ(message.pose.covariance[2], 0);
+  EXPECT_EQ(message.pose.covariance[21], 1e6);
 }
 
 TEST(BusConversion, UnknownEnumeratorsAndTooManySatellitesAreRefused) {

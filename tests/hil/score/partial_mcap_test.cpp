@@ -71,7 +71,7 @@ class APartialMcap : public message_file::WithFile {
   }
   /// Off by 3 m north, 4 m east.
   message_file::Topic pose(const std::string& name, const std::string& type, bool with_twist,
-                           const std::vector<double>& quaternion) {
+                           const std::vector<double>& quaternion, double turns = 1e-6) {
     std::vector<std::string> types{"geometry_msgs/PoseWithCovariance", "geometry_msgs/Pose",
                                    "geometry_msgs/Point", "geometry_msgs/Quaternion"};
     if (with_twist)
@@ -86,7 +86,7 @@ class APartialMcap : public message_file::WithFile {
                  types, "map", [=, this](message_file::Cdr& cdr) {
                    if (with_twist) cdr.put(std::string("base_link"));
                    cdr.put(std::vector<double>{4 + 2. * time_s_, 3, 0}).put(quaternion);
-                   cdr.put(message_file::diagonal({16, 9, 1, 1e-6, 1e-6, 1e-6}));
+                   cdr.put(message_file::diagonal({16, 9, 1, turns, turns, turns}));
                    if (with_twist) cdr.put(std::vector<double>(6 + 36));
                  });
   }
@@ -173,6 +173,13 @@ TEST_F(APartialMcap, OfAnOdometryWithAPositionAloneGivesThat) {
     EXPECT_FALSE(errors.velocity_mps);
     EXPECT_THAT(estimates.notes, Contains(HasSubstr("no velocity: it is 0")));
   }
+}
+
+TEST_F(APartialMcap, OfAnOdometryWhoseAttitudeHasNoCovarianceGivesTheAttitude) {
+  const auto errors = errors_against_truth(
+      read({pose("/odom", "nav_msgs/msg/Odometry", true, bow_past_east, 1e6)}));
+  EXPECT_NEAR(errors.heading_deg->rms, 2, 1e-9);
+  EXPECT_FALSE(errors.attitude_nees.mean);
 }
 
 TEST_F(APartialMcap, OfSeveralTypesTheOneThatTellsMostIsRead) {
