@@ -25,7 +25,8 @@ Comparison compare_on_recording(const CompareOptions& options);
 /// the sensor out: there is no other one.
 Comparison compare_on_capture(const CompareOptions& options);
 
-/// The same with captures that the devices of `options.rig` read. An estimator that needs a device
+/// The same with captures that the devices of `options.rig` read; of one device alone no finding
+/// leaves it out either. An estimator that needs a device
 /// of which there is no capture cannot be made.
 Comparison compare_through_rig(const CompareOptions& options);
 

@@ -42,10 +42,11 @@ replay::OtherRig rig_to_play(const replay::RecordedRig& recorded,
   return fitting;
 }
 
-/// Plays all of it to the contest.
-Comparison contended(replay::ReplayBench& bench, const rig_config::Rig& rig, Contest& contest) {
+/// Plays all of it to the contest. `findings` leave out devices that are not sound.
+Comparison contended(replay::ReplayBench& bench, const rig_config::Rig& rig, Contest& contest,
+                     bool findings) {
   const auto diagnostician = host::diagnostician_beside(rig, bench.devices(), bench.followers());
-  bench.followers().add(*diagnostician);
+  if (findings) bench.followers().add(*diagnostician);
   bench.followers().add(contest);
   boost::asio::io_context io{1};
   replay::Pace pace(io, 0);
@@ -73,7 +74,7 @@ Comparison compare_on_recording(const CompareOptions& options) {
   Contest contest(text_of(file), file, options.estimators,
                   {truth.get(), bench.start(),
                    truth ? measurement::seconds(truth->end() - truth->start()) : usual_length_s});
-  auto comparison = contended(bench, played.rig, contest);
+  auto comparison = contended(bench, played.rig, contest, true);
   comparison.source = options.source.capture;
   comparison.truth = truth != nullptr;
   comparison.notes = played.notes;
@@ -95,7 +96,7 @@ Comparison compare_through_rig(const CompareOptions& options) {
                             {.ends = std::move(dive.made.ends)});
   Contest contest(text_of(options.rig), options.rig, options.estimators,
                   {nullptr, bench.start(), usual_length_s}, left_out);
-  auto comparison = contended(bench, rig, contest);
+  auto comparison = contended(bench, rig, contest, rig.devices.size() > 1);
   comparison.source = dive.shown;
   comparison.notes = std::move(dive.read_by.notes);
   std::ranges::move(dive.made.notes, std::back_inserter(comparison.notes));

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "hil/compare/compare.hpp"
 
@@ -84,6 +85,33 @@ TEST(ComparingOnACapture, OfARealDiveShowsThePauseAndTheCostOfEachEstimator) {
     EXPECT_NEAR(entry.gaps.longest_s, 4722.07, 4.1);
     EXPECT_GT(entry.cost_us(), 0);
   }
+}
+
+TEST(ComparingOnACapture, InTwoFilesThroughARigIsThatOfTheWholeOne) {
+  const char* corpora = std::getenv("DRYDOCK_CORPORA");
+  const fs::path dive =
+      fs::path(corpora != nullptr ? corpora : DRYDOCK_SOURCE_DIR "/../shared/corpora") /
+      "dvl/pd0/raw/remus_20141219_a.adc";
+  if (!fs::exists(dive)) GTEST_SKIP() << "no dive in " << dive;
+  const auto folder = fs::temp_directory_path() / fmt::format("two-files-{}", ::getpid());
+  fs::create_directories(folder);
+  std::ifstream in(dive, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  std::ofstream(folder / "a.adc", std::ios::binary) << bytes.substr(0, 300'001);
+  std::ofstream(folder / "b.adc", std::ios::binary) << bytes.substr(300'001);
+  std::ofstream(folder / "rig.toml") << "[rig]\nname = \"auv\"\n[[device]]\nname = \"dvl\"\nkind = "
+                                        "\"dvl\"\nprotocol = \"pd0\"\nlink = \"pty:dvl\"\n";
+  auto options = of_capture("", {from_the_bay});
+  options.source.protocol.clear();
+  options.rig = (folder / "rig.toml").string();
+  options.captures = {{(folder / "b.adc").string(), "dvl"}, {(folder / "a.adc").string(), "dvl"}};
+  const auto joined = compare_through_rig(options);
+  const auto whole = compare_on_capture(of_capture(dive.string(), {from_the_bay}));
+  EXPECT_EQ(joined.measurements, whole.measurements);
+  EXPECT_EQ(joined.entries.at(0).used, whole.entries.at(0).used);
+  EXPECT_EQ(joined.entries.at(0).summary.estimates, whole.entries.at(0).summary.estimates);
+  EXPECT_EQ(joined.entries.at(0).gaps.longest_s, whole.entries.at(0).gaps.longest_s);
+  fs::remove_all(folder);
 }
 
 }  // namespace
