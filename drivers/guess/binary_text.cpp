@@ -50,12 +50,13 @@ class FieldList {
       : guess_(guess), kinds_(kinds), kind_(kind), header_(header) {}
 
   std::string text() {
-    const std::size_t tail =
-        guess_.sum ? guess_.sum->checksum.size() + guess_.sum->behind : std::size_t{0};
+    const std::size_t tail = guess_.sum ? guess_.sum->tail() : std::size_t{0};
     identify();
     std::vector<std::size_t> known = kinds_.id_at;  // and the length
     for (std::size_t i = 0; guess_.length && i < guess_.length->size; ++i)
       known.push_back(guess_.length->at + i);
+    for (std::size_t i = 0; guess_.sum && guess_.sum->at && i < guess_.sum->checksum.size(); ++i)
+      known.push_back(*guess_.sum->at + i);
     if (header_)
       for (std::size_t i = 0; i < header_->checksum.size(); ++i) known.push_back(header_->at + i);
     for (const Guessed& one : fields(known, kind_.shortest - tail)) add(one);
@@ -186,6 +187,7 @@ std::string protocol_text(const BinaryGuess& guess, const MessageGuesses& kinds,
   text += fmt::format("checksum = \"{}\"\n", sum.checksum.name());
   if (sum.big_endian || (header && header->big_endian)) text += "checksum_order = \"big\"\n";
   if (sum.from > 0) text += fmt::format("checksum_from = {}\n", sum.from);
+  if (sum.at) text += fmt::format("checksum_at = {}\n", *sum.at);
   if (sum.behind > 0)
     text += fmt::format("end = \"{}\"\n", hex_of(guess.frames[0].last(sum.behind)));
   return text;

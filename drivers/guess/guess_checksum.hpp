@@ -15,13 +15,19 @@ struct Sum {
   bool big_endian = false;
   std::size_t from = 0;    ///< the first byte that it covers
   std::size_t behind = 0;  ///< bytes of the frame behind it
+  /// Its first byte, where it stands in front of what it covers.
+  std::optional<std::size_t> at{};
+
+  /// Bytes of the frame behind its fields.
+  std::size_t tail() const { return (at ? 0 : checksum.size()) + behind; }
 
   /// The checksum of a frame where it is right.
   std::optional<std::uint32_t> right_in(wire::Bytes frame) const;
   bool is_right(wire::Bytes frame) const { return right_in(frame).has_value(); }
 };
 
-/// The checksum that is right in nine of ten frames. Empty: none of the catalogue is.
+/// The checksum that is right in nine of ten frames: one behind what it covers, else a plain sum of
+/// the payload that stands in the header. Empty: none of the catalogue is.
 std::optional<Sum> guess_checksum(const Frames& frames);
 
 /// The bytes that end all frames behind a checksum, as a description writes them: "0D 0A".

@@ -62,7 +62,7 @@ std::string HeaderSum::text() const {
 
 std::optional<HeaderSum> guess_header_sum(const BinaryGuess& guess) {
   if (guess.frames.size() < fewest_with_header) return {};
-  const std::size_t tail = guess.sum ? guess.sum->checksum.size() + guess.sum->behind : 0;
+  const std::size_t tail = guess.sum ? guess.sum->tail() : 0;
   const std::size_t shortest = std::ranges::min(guess.frames, {}, &Bytes::size).size() - tail;
   for (const Checksum& checksum : tried_checksums())
     for (std::size_t at = guess.sync + 2;

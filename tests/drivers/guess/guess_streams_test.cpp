@@ -266,6 +266,30 @@ TEST(GuessOfSums, OfAHeaderAloneAreFound) {
   expect_all_decoded(guess, capture, 600);
 }
 
+/// The sum of the values, which stands in front of them.
+TEST(GuessOfSums, OfThePayloadThatStandInTheHeaderAreFound) {
+  for (const Stream::Order order : {Stream::Order::random, Stream::Order::in_turn}) {
+    Stream stream;
+    stream.order = order;
+    Buffer capture = stream.capture(), whole;
+    for (std::size_t at = 0; at < capture.size();) {
+      const std::size_t size = capture[at + 2] == 0x11 ? 9 : capture[at + 2] == 0x12 ? 17 : 23;
+      unsigned sum = 0;
+      for (std::size_t i = at + 3; i < at + size; ++i) sum += capture[i];
+      whole.insert(whole.end(), capture.begin() + std::ptrdiff_t(at),
+                   capture.begin() + std::ptrdiff_t(at + 3));
+      put(whole, static_cast<std::uint16_t>(sum), true);
+      whole.insert(whole.end(), capture.begin() + std::ptrdiff_t(at + 3),
+                   capture.begin() + std::ptrdiff_t(at + size));
+      at += size;
+    }
+    const auto guess = guess::guess_description(whole);
+    EXPECT_THAT(guess, HasSubstr("checksum = \"sum-16\"\nchecksum_order = \"big\"\n"
+                                 "checksum_from = 5\nchecksum_at = 3\n"));
+    expect_all_decoded(guess, whole, 600);
+  }
+}
+
 /// The sum of the values alone behind a header of nine bytes, in frames of one length.
 TEST(GuessOfSums, OfThePayloadAloneAreFound) {
   for (const Ending& ending : {Ending{"sum-8", 1, 9}, Ending{"sum-8-negative", 1, 9, true},
