@@ -117,6 +117,34 @@ TEST(DescribedValues, AKellersOtherChannelsAreReadAndTheirFailuresRefused) {
   }
 }
 
+/// RMC of a receiver that has the time, and no fix: NMEA 0183 says so with V.
+TEST(DescribedValues, AReceiverThatKnowsOnlyTheTimeSaysThatItHasNoFix) {
+  const auto rmc = described(R"(
+[sensor]
+title = "RMC"
+kind = "gnss"
+[protocol]
+[[protocol.sentences]]
+id = "$GPRMC"
+fields = [
+  { field = "utc_s", unit = "hhmmss" },
+  { field = "valid", type = "text", good = ["A"], bad = "V" },
+  { field = "latitude_deg", unit = "ddmm" },
+  { sign_of = "latitude_deg", plus = "N", minus = "S" },
+  { field = "longitude_deg", unit = "ddmm" },
+  { sign_of = "longitude_deg", plus = "E", minus = "W" },
+  { field = "date_s", unit = "ddmmyy" },
+]
+)");
+  wire::described::Readings readings;
+  readings.set(wire::described::Target::utc, 45'296);
+  readings.set(wire::described::Target::date, 0);
+  std::array<std::uint8_t, 128> line;
+  const auto size = encode(rmc->plan, rmc->plan.messages[0], readings, line);
+  const auto said = as_text(wire::Bytes(line).first(size));
+  EXPECT_TRUE(said.starts_with("$GPRMC,123456.000,V,,,,,010170*")) << said;
+}
+
 TEST(DescribedValues, EncodedMessagesReadBackToHalfALastDigit) {
   using enum wire::described::Target;
   const auto vat = shipped("valeport-vat.toml");
