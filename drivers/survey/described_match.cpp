@@ -116,8 +116,8 @@ DescribedMatch::Totals DescribedMatch::totals() const {
 
 bool DescribedMatch::fits() const {
   const Totals all = totals();
-  return all.frames > 0 && are_few(all.other_length, all.frames) &&
-         are_few(all.damaged, all.checked);
+  const std::uint64_t damaged = all.damaged - std::min<std::uint64_t>(all.damaged, 1);
+  return all.frames > 0 && are_few(all.other_length, all.frames) && are_few(damaged, all.checked);
 }
 
 bool DescribedMatch::fits_in_all() const {

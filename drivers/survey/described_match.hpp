@@ -29,7 +29,7 @@ class DescribedMatch {
   bool has(BusId id) const;
   const std::map<BusId, Arrivals>& heard() const { return heard_; }
 
-  /// Hardly a frame contradicts.
+  /// Hardly a frame contradicts. One may be damaged however few they are.
   bool fits() const;
   /// Nothing contradicts, and all came that a sample waits for.
   bool fits_in_all() const;

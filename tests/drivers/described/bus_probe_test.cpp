@@ -223,6 +223,16 @@ TEST_P(BusProbeOfIdentifiers, AreNotFoundWhereLengthsOrChecksumsAreOthers) {
   EXPECT_THAT(survey.missed()[0], HasSubstr("202 of 202 checksums wrong"));
 }
 
+TEST_P(BusProbeOfIdentifiers, AreFoundInAFewFramesOfWhichOneIsDamaged) {
+  const auto one = imu();
+  auto few = frames_of(one);
+  few.resize(4);
+  few.back().frame.data[7] ^= 0x5A;
+  const auto nodes = nodes_of(few, {one});
+  ASSERT_TRUE(node_with(nodes, "s.toml"));
+  EXPECT_EQ(node_with(nodes, "s.toml")->confidence, Confidence::likely);
+}
+
 INSTANTIATE_TEST_SUITE_P(Frames, BusProbeOfIdentifiers,
                          testing::Values(Pair{0x200, 0x201}, Pair{0x201, 0x202}, Pair{0x210, 0x211},
                                          Pair{0x301, 0x302}, Pair{0x600, 0x601}, Pair{0x181, 0x281},
