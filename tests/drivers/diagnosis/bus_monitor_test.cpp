@@ -293,6 +293,21 @@ TEST_F(BusThatIsWatched, HasTwoOwnersOfAnAddressThatTheRigDoesNotState) {
   EXPECT_TRUE(signs.has(Sign::address_taken, depth));
 }
 
+/// Two rudders at one address: every other frame comes right behind the one before it.
+TEST_F(BusThatIsWatched, MayHaveANodeThatSendsTwoOrFourFramesOfOneKindTogether) {
+  for (const int frames : {2, 4}) {
+    BusMonitor alone{{node(rudder, 36)}, signs};
+    for (int i = 0; i < 6000; ++i)
+      for (int k = 0; k < frames; ++k) {
+        auto frame = frame_of(id(127'245, 36), true);
+        frame.data[0] = ++count;
+        alone.take(frame, at_s(0.1 * i + 0.001 * k));
+        alone.look(at_s(0.1 * i + 0.001 * k));
+      }
+    EXPECT_TRUE(signs.all.empty()) << frames;
+  }
+}
+
 TEST_F(BusThatIsWatched, HasFramesThatComeTwice) {
   for (int i = 0; i < 30; ++i) {
     tenth();
