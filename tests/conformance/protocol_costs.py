@@ -134,7 +134,8 @@ def main():
         (source / PAGE).write_text(with_tables((source / PAGE).read_text(), source))
     else:
         found = list(check(source, sys.argv[3]))
-        print("\n".join(found))
+        for line in found:
+            print(line)
         sys.exit(1 if found else 0)
 
 
