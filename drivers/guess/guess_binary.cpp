@@ -26,7 +26,7 @@ bool cuts_shorter(const std::optional<BinaryGuess>& a, const std::optional<Binar
 }
 
 /// With a checksum, or as much as the other has and many more bytes.
-bool explains_more(const std::optional<BinaryGuess>& a, const std::optional<BinaryGuess>& b) {
+bool tells_more(const std::optional<BinaryGuess>& a, const std::optional<BinaryGuess>& b) {
   if (!a || !b) return a.has_value();
   if (a->sum.has_value() != b->sum.has_value()) return a->sum.has_value();
   return a->bytes() * 49 > b->bytes() * 50;
@@ -36,11 +36,11 @@ bool explains_more(const std::optional<BinaryGuess>& a, const std::optional<Bina
 /// explains more of the capture, and of two that explain as much the one with shorter frames.
 std::optional<BinaryGuess> plain_guess(wire::Bytes capture) {
   auto by_length = guess_lengths(capture), by_id = guess_ids(capture);
-  const bool by_field = by_length && by_length->length && !explains_more(by_id, by_length) &&
+  const bool by_field = by_length && by_length->length && !tells_more(by_id, by_length) &&
                         !cuts_shorter(by_id, by_length);
   if (by_field && by_length->sum) return by_length;
   auto by_period = guess_period(capture);
-  const bool others = explains_more(by_period, by_id) || explains_more(by_length, by_id);
+  const bool others = tells_more(by_period, by_id) || tells_more(by_length, by_id);
   if (by_id && !by_field && !others) return by_id;
   if (!by_length || !by_period) return by_length ? by_length : by_period;
   if (by_length->sum.has_value() != by_period->sum.has_value())
