@@ -155,7 +155,8 @@ struct Pair {
   bool extended = false;
 };
 
-/// Identifiers that look like PDOs, SDOs, heartbeats or J1939.
+/// Identifiers that look like PDOs, SDOs, heartbeats or J1939, the last of them like those of a
+/// sender that claimed its address.
 class BusProbeOfIdentifiers : public DbcFolder, public testing::WithParamInterface<Pair> {
  protected:
   DescriptionPtr imu() const {
@@ -233,15 +234,13 @@ TEST_P(BusProbeOfIdentifiers, AreFoundInAFewFramesOfWhichOneIsDamaged) {
   EXPECT_EQ(node_with(nodes, "s.toml")->confidence, Confidence::likely);
 }
 
-INSTANTIATE_TEST_SUITE_P(Frames, BusProbeOfIdentifiers,
-                         testing::Values(Pair{0x200, 0x201}, Pair{0x201, 0x202}, Pair{0x210, 0x211},
-                                         Pair{0x301, 0x302}, Pair{0x600, 0x601}, Pair{0x181, 0x281},
-                                         Pair{0x081, 0x581}, Pair{0x701, 0x702}, Pair{0x064, 0x065},
-                                         Pair{0x12345678, 0x12345679, true},
-                                         Pair{0x18FF0101, 0x0CF02A02, true}),
-                         [](const auto& one) {
-                           return fmt::format("{:X}And{:X}", one.param.gyro, one.param.accel);
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Frames, BusProbeOfIdentifiers,
+    testing::Values(Pair{0x200, 0x201}, Pair{0x201, 0x202}, Pair{0x210, 0x211}, Pair{0x301, 0x302},
+                    Pair{0x600, 0x601}, Pair{0x181, 0x281}, Pair{0x081, 0x581}, Pair{0x701, 0x702},
+                    Pair{0x064, 0x065}, Pair{0x12345678, 0x12345679, true},
+                    Pair{0x18FF0101, 0x0CF02A02, true}, Pair{0x12340134, 0x12350134, true}),
+    [](const auto& one) { return fmt::format("{:X}And{:X}", one.param.gyro, one.param.accel); });
 
 class BusProbeOfBoth : public DbcFolder {
  protected:
