@@ -18,7 +18,7 @@ using survey::BusSurvey;
 using survey::ByteSurvey;
 using survey::SensorHeard;
 
-constexpr double seconds = 12;
+constexpr double listened_s = 12;
 
 /// A host: what its driver says reaches the device.
 struct Host final : device::Output {
@@ -57,7 +57,7 @@ void run(shell::Actor& actor, auto& driver, Host& host) {
   if (driver) driver->restart(host.now, host);
   shell::Lockstep lockstep(emulate::start);
   lockstep.add(actor);
-  for (double t = 0; t <= seconds; t += 0.01) {
+  for (double t = 0; t <= listened_s; t += 0.01) {
     lockstep.run_until(host.now = emulate::at_s(t));
     if (!driver) continue;
     if (const auto due = driver->deadline(); due && *due <= host.now) driver->tick(host.now, host);
@@ -129,7 +129,7 @@ struct Reader final : device::Output {
 Values values_of(const Probed& device, const Probed& read_as) {
   const emulate::Frozen truth(emulate::at_the_surface());
   emulate::Recorder sent;
-  sent.run(*made(device, truth), emulate::at_s(seconds));
+  sent.run(*made(device, truth), emulate::at_s(listened_s));
   Reader reader;
   if (device.travels == wire::Travels::as_frames) {
     const auto driver = *device::make_frame_driver(options_of(read_as));
