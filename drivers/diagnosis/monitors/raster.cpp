@@ -8,6 +8,8 @@ constexpr double most_crowded_share = 0.65;
 /// A host is late by so much now and then, and a slow line holds a message behind another one.
 constexpr double least_tolerance_s = 0.002, least_tolerance_share = 0.05;
 constexpr double most_tolerance_share = 0.3;
+/// A period is the mean of its intervals, but for those that were lost.
+constexpr double most_mean = 1.3;
 /// Lost messages leave the others on their places: those scatter by less than any odd stream.
 constexpr double most_folded_share = 0.15;
 /// A stream that loses more has another rate.
@@ -56,6 +58,8 @@ void Raster::learn(Stamp at, double behind_s) {
   if (last_) {
     const double interval_s = measurement::seconds(at - *last_);
     intervals_.add(interval_s);
+    learned_s_ += interval_s;
+    ++intervals_learned_;
     if (first_missing_ == Stamp{} && interval_s > 1.5 * nominal_s_) first_missing_ = *last_;
   }
   behind_.add(behind_s);
@@ -64,7 +68,10 @@ void Raster::learn(Stamp at, double behind_s) {
 }
 
 void Raster::settle() {
-  const bool has_raster = has_little_scatter(most_tolerance_share) || fold();
+  const bool is_even = has_little_scatter(most_tolerance_share) || fold();
+  // Frames of one long message: the few long intervals between them are no scatter of the short.
+  const double mean_s = (1 - missing_share_) * learned_s_ / static_cast<double>(intervals_learned_);
+  const bool has_raster = is_even && mean_s < most_mean * period_s_;
   state_ = has_raster ? State::known : State::has_none;
   waits_s_ = behind_.quantile(0.5);
   if (waits_s_ > crowded_share * period_s_) waits_s_ = 0;

@@ -71,6 +71,8 @@ class Raster {
   double period_s_ = 0, tolerance_s_ = 0, waits_s_ = 0, allowed_s_ = 0;
   double nominal_s_, missing_share_ = 0;
   Stamp first_missing_{};
+  double learned_s_ = 0;  ///< intervals together
+  long intervals_learned_ = 0;
 };
 
 }  // namespace drydock::diagnosis

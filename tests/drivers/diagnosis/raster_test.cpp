@@ -57,6 +57,16 @@ TEST(Raster, OfEventsAtRandomTimesIsNone) {
   EXPECT_FALSE(raster.known());
 }
 
+/// A fast packet of NMEA 2000 has up to 32 frames, one behind the other.
+TEST(Raster, OfTheFramesOfOneLongMessageIsNone) {
+  for (int frames = 2; frames <= 32; ++frames) {
+    Raster raster(5);
+    for (int i = 0; i < 200; ++i)
+      for (int k = 0; k < frames; ++k) raster.add(at_s(0.2 * i + 0.00056 * k));
+    EXPECT_FALSE(raster.known()) << frames;
+  }
+}
+
 /// Messages at 5 Hz of which a share is lost, beside a rig that states some rate.
 Raster with_lost(double share, double stated_hz) {
   Raster raster(stated_hz);
