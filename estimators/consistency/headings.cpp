@@ -22,6 +22,7 @@ constexpr TestFacts gyro_facts{.floor = 0.3 * degree,
 constexpr TestFacts compass_facts{.floor = 0.6 * degree,
                                   .wander = 0.05 * degree,
                                   .late_s = 0.1,
+                                  .may_be_late = true,
                                   .quantity = quantity_of_heading,
                                   .unit = "deg",
                                   .unit_si = degree};

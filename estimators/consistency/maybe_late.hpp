@@ -14,6 +14,7 @@ namespace drydock::consistency {
 class MaybeLate {
  public:
   static constexpr std::chrono::seconds longest{2};  ///< latency
+  static constexpr int enough = 10;                  ///< residuals to tell the latency
   static constexpr int certain = 3;                  ///< residuals that no latency explains
 
   /// What the quantity is, all the time.
@@ -22,17 +23,23 @@ class MaybeLate {
     if (next_ == noted_.size()) next_ = 0;
   }
   /// An alarm begins to rise.
-  void clear() { explained_ = squares_ = rates_ = 0, contradictions_ = 0; }
+  void clear() { explained_ = squares_ = rates_ = 0, count_ = contradictions_ = 0; }
   /// `rate`: by how much dy/dt differs from that of the time before the alarm. `error`: of a
   /// residual, for other reasons.
   void take(double residual, double rate, double error) {
     squares_ += residual * residual;
     explained_ += residual * rate;
     rates_ += rate * rate;
+    ++count_;
     contradictions_ += std::abs(residual) > change() + error ? 1 : 0;
   }
 
   bool is_contradicted() const { return contradictions_ >= certain; }
+  /// The best tau is one that sensors have.
+  bool is_possible() const {
+    const double most_s = std::chrono::duration<double>(longest).count();
+    return count_ >= enough && std::abs(explained_) < most_s * rates_;
+  }
   /// Of the squares, by r = -tau dy/dt with the best tau.
   double left_over() const {
     return rates_ > 0 ? squares_ - explained_ * explained_ / rates_ : squares_;
@@ -55,7 +62,7 @@ class MaybeLate {
   std::array<Noted, 12> noted_{};
   std::size_t next_ = 0;
   double squares_ = 0, explained_ = 0, rates_ = 0;
-  int contradictions_ = 0;
+  int count_ = 0, contradictions_ = 0;
 };
 
 }  // namespace drydock::consistency

@@ -158,8 +158,10 @@ bool Test::has_stopped(const Freeze* own) const {
 }
 
 Test::Late Test::late() const {
-  if (!facts_.may_be_late || late_.is_contradicted()) return Late::no;
-  return late_.left_over() < late_share * shape_.left_over() ? Late::yes : Late::open;
+  if (!facts_.may_be_late) return Late::no;
+  // The offset may have been learned in a turn: then it is off when the turn is over.
+  if (late_.is_possible() && late_.left_over() < late_share * shape_.left_over()) return Late::yes;
+  return late_.is_contradicted() ? Late::no : Late::open;
 }
 
 bool Test::is_open(const Freeze* own) const { return late() == Late::open && !has_stopped(own); }
