@@ -15,7 +15,8 @@ namespace {
 /// The rig with this estimator alone. Its problems name no line: they are of a made text.
 rig_config::Rig rig_with(const std::string& choice, const std::string& rig_text,
                          const std::string& rig_file, const std::vector<std::string>& left_out) {
-  auto rig = rig_config::load_rig_text(rig_config::with_estimator(rig_text, choice), rig_file);
+  auto rig =
+      rig_config::load_rig_text(rig_config::with_estimator(rig_text, choice, left_out), rig_file);
   if (!rig) {
     const auto problem = rig.error().front();
     throw std::invalid_argument(problem.path + ": " + problem.what);

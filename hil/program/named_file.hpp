@@ -15,7 +15,8 @@ inline replay::RigCaptures::File named_file(const std::string& text) {
   return {text.substr(equals + 1), text.substr(0, equals)};
 }
 
-/// As named_file(), and the files of a folder in the order of their names.
+/// As named_file(), and the files of a folder in the order of their names. A folder without files
+/// stays what is named, and who opens it says that it is a folder.
 inline std::vector<replay::RigCaptures::File> named_files(const std::string& text) {
   namespace fs = std::filesystem;
   auto file = named_file(text);
@@ -25,8 +26,7 @@ inline std::vector<replay::RigCaptures::File> named_files(const std::string& tex
     if (entry.is_regular_file() && !entry.path().filename().string().starts_with('.'))
       files.push_back({entry.path().string(), file.device, file.path});
   std::ranges::sort(files, {}, &replay::RigCaptures::File::path);
-  if (files.empty()) throw CLI::ValidationError(text, "there is no file in that folder");
-  return files;
+  return files.empty() ? std::vector{file} : files;
 }
 
 /// Throws std::runtime_error where it is none.

@@ -17,7 +17,7 @@ FIXTURES = {"trace.asc": "capture/canutils.asc", "imu.dbc": "dbc/bus.dbc", "canb
 TEXTS = {"F.toml": FAULTS, "steps.csv": STEPS, "mine.csv": ESTIMATES, "my_navigation": FAILING_PROGRAM}
 # What a command with this option reads, if `kept` has no better file for the command.
 CAPTURES = [(r"--dbc ", "dbc/frames.log"), (r"--pgns ", "pgns/frames.log"), (r"--protocol can ", "capture/canutils.asc")]
-LONG_CAPTURES = re.compile(r"dive\.pd0|capture\.txt|characterize can\.asc")
+LONG_CAPTURES = re.compile(r"dive(-\d)?\.pd0|capture\.txt|characterize can\.asc")
 FILE = re.compile(r"(?<![\w/.-])(?:\./)?([\w-]+\.(?:toml|mcap|json|log|bin|txt|nmea|ubx|pd\d|mavlink|asc|dbc|csv)\b|my_navigation)")
 OUTPUT = re.compile(r"(?:\s(?:-o|--record|--write|--out|--report|--json|--junit|--plot|--csv|--allan|--update-refs)|>) ([\w./-]+)")
 
@@ -40,6 +40,9 @@ class PageFiles:
         say("export", "dive.mcap", "--to", "candump", "-o", "dive.log")
         say("export", "dive.mcap", "--to", "raw", "--only", "dvl", "-o", "raw")
         shutil.move(kept / "raw/dvl.bin", kept / "dive.pd0")
+        stream = (kept / "dive.pd0").read_bytes()
+        for i in range(3):
+            (kept / f"dive-{i + 1}.pd0").write_bytes(stream[i * len(stream) // 3 : (i + 1) * len(stream) // 3])
         record("described", 30, "described.mcap")
         say("export", "described.mcap", "--to", "raw", "--only", "altimeter", "-o", "described")
         shutil.move(kept / "described/altimeter.bin", kept / "capture.txt")

@@ -11,7 +11,7 @@ NOT_TYPED = [
     ("needs root", r": (?:sudo|apt-get|buildah) "),
     ("belongs to the build of a container or a package", r"packages\.example\.org|Containerfile"),
     ("needs a real port or sensor", r"^(?!.*drydock check ).*(?:tty(?:USB|ACM)\d|socketcan:|\bcan0\b|\bdvl\.toml|mixed\.toml|192\.168\.)"),
-    ("needs another program", r": (?:ros2|gpsd|gpspipe|sim_vehicle\.py) |--engine slurm"),
+    ("needs another program", r": (?:ros2|gpsd|gpspipe|sim_vehicle\.py|pip|python3 -m can\.logconvert) |--engine slurm"),
     ("speaks on DDS domain 0, where others may be", r'"\$\(drydock dds-config\)" \./'),
     ("listens beyond this machine", r"\b0\.0\.0\.0:"),
     ("needs the right to run in real time", r"--realtime"),

@@ -12,6 +12,7 @@ using namespace drydock::rig_config;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 
 constexpr const char* rig_text = R"(
@@ -66,6 +67,19 @@ TEST(WithEstimator, TakesTheRigsOwnByItsNameOrItsKind) {
     EXPECT_EQ(kind.filter, LevelingFilter::augmented);
     EXPECT_EQ(kind.log, "second");
   }
+}
+
+TEST(WithEstimator, GivesANewOneOnlyDevicesThatAreNotLeftOut) {
+  const std::vector<std::string> left_out{"paddle"};
+  const auto rig = load_rig_text(with_estimator(rig_text,
+                                                "dead-reckoning:reckoning.latitude_deg=1:"
+                                                "reckoning.longitude_deg=2",
+                                                left_out),
+                                 "boat.toml")
+                       .value();
+  EXPECT_EQ(std::get<ReckoningConfig>(rig.estimators.at(0).kind).log, "second");
+  const std::vector<std::string> both{"paddle", "second"};
+  EXPECT_THAT(with_estimator(rig_text, "dead-reckoning", both), Not(HasSubstr("log = ")));
 }
 
 TEST(WithEstimator, ChangesItsKeysAndKeepsTheOthers) {
