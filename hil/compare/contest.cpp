@@ -15,17 +15,21 @@ namespace {
 /// The rig with this estimator alone. Its problems name no line: they are of a made text.
 rig_config::Rig rig_with(const std::string& choice, const std::string& rig_text,
                          const std::string& rig_file, const std::vector<std::string>& left_out) {
-  auto rig =
-      rig_config::load_rig_text(rig_config::with_estimator(rig_text, choice, left_out), rig_file);
+  const auto load = [&](const std::vector<std::string>& without) {
+    return rig_config::load_rig_text(rig_config::with_estimator(rig_text, choice, without),
+                                     rig_file);
+  };
+  const std::string lacks =
+      fmt::format("it needs a device of which nothing was captured: {}", fmt::join(left_out, ", "));
+  auto rig = load(left_out);
+  if (!rig && load({})) throw std::invalid_argument(lacks);
   if (!rig) {
     const auto problem = rig.error().front();
     throw std::invalid_argument(problem.path + ": " + problem.what);
   }
   replay::OtherRig heard{std::move(*rig)};
   replay::leave_out(left_out, heard);
-  if (heard.rig.estimators.empty())
-    throw std::invalid_argument(fmt::format("it needs a device of which nothing was captured: {}",
-                                            fmt::join(left_out, ", ")));
+  if (heard.rig.estimators.empty()) throw std::invalid_argument(lacks);
   return std::move(heard.rig);
 }
 

@@ -106,14 +106,16 @@ TEST_F(ComparingOnCaptures, HaveTheFiguresOfTheRecordingThatTheyWereTakenFrom) {
 }
 
 TEST_F(ComparingOnCaptures, RefuseAnEstimatorWhoseDeviceNobodyCaptured) {
-  auto options = through_demo({"leveling"});
-  options.captures = {{DRYDOCK_SOURCE_DIR "/fixtures/pd0/golden.pd0", "dvl"}};
-  try {
-    compare_through_rig(options);
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), HasSubstr("leveling"));
-    EXPECT_THAT(error.what(), HasSubstr("imu"));
+  for (const std::string estimator : {"leveling", "mixing"}) {  // the rig's own, and a new one
+    auto options = through_demo({estimator});
+    options.captures = {{DRYDOCK_SOURCE_DIR "/fixtures/pd0/golden.pd0", "dvl"}};
+    try {
+      compare_through_rig(options);
+      FAIL() << estimator;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_THAT(error.what(), HasSubstr(estimator));
+      EXPECT_THAT(error.what(), HasSubstr("nothing was captured: emlog, gnss, imu"));
+    }
   }
 }
 
