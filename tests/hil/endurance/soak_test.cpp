@@ -3,6 +3,7 @@
 #include "hil/endurance/soak.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/prctl.h>
 
 #include <filesystem>
 #include <fstream>
@@ -67,6 +68,16 @@ TEST(Soak, EndsWithTheImpactOfAFlight) {
   EXPECT_EQ(code, 0) << said;
   EXPECT_THAT(said, testing::HasSubstr("the flight of its mission ends after 8"));
   EXPECT_THAT(said, testing::HasSubstr("0 are false alarms"));
+}
+
+TEST(Soak, MeasuresMemoryWithoutHugePages) {
+  prctl(PR_SET_THP_DISABLE, 0, 0, 0, 0);
+  endurance::SoakOptions options;
+  options.duration_s = 1;
+  testing::internal::CaptureStdout();
+  endurance::soak(rig(), options, stdout);
+  testing::internal::GetCapturedStdout();
+  EXPECT_EQ(prctl(PR_GET_THP_DISABLE, 0, 0, 0, 0), 1);
 }
 
 TEST(Soak, ASeedIsThatOfTheSensorsToo) {
