@@ -176,7 +176,7 @@ std::optional<BinaryGuess> guess_ids(Bytes capture) {
   std::vector<TriedId> all;
   for (const Sync& sync : syncs)
     for (std::size_t at = sync.size; at <= sync.size + furthest_id_byte; ++at)
-      if (auto tried = id_tried_with(sync, at, head)) all.push_back(std::move(*tried));
+      if (auto tried = id_tried_with(sync, at, head)) all.push_back(*tried);
   std::ranges::stable_sort(all, [](const TriedId& a, const TriedId& b) {
     return std::tie(a.bytes, a.frames) > std::tie(b.bytes, b.frames);
   });

@@ -34,8 +34,8 @@ std::pair<NodeKind, std::uint8_t> sender(const CanFrame& frame) {
 
 }  // namespace
 
-BusSurvey::BusSurvey(Descriptions descriptions) {
-  for (auto& one : descriptions) {
+BusSurvey::BusSurvey(const Descriptions& descriptions) {
+  for (const auto& one : descriptions) {
     if (!one->frames) continue;
     const bool of_senders =
         std::ranges::all_of(one->frames->frames, &wire::described::FrameLayout::is_j1939);

@@ -24,7 +24,7 @@ class BusSurvey {
   /// Descriptions with a DBC file come before the protocols of the registry. Those of J1939 alone
   /// are looked for at each sender, others on the whole bus: their identifiers may look like those
   /// of any profile. Those of byte lines are left out.
-  explicit BusSurvey(Descriptions descriptions = {});
+  explicit BusSurvey(const Descriptions& descriptions = {});
 
   void receive(const wire::CanFrame& frame, Stamp at);
 

@@ -14,7 +14,8 @@ namespace drydock::survey {
 struct BusId {
   std::uint32_t id = 0;
   bool extended = false;
-  auto operator<=>(const BusId&) const = default;
+  auto operator<=>(const BusId&) const =
+      default;  // NOLINT(modernize-use-nullptr): clang 14 takes it for a 0
 };
 
 /// What the frames of a bus say for a description with a DBC file, and against it: identifiers,

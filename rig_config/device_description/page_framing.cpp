@@ -68,8 +68,7 @@ std::uint32_t group_of(std::uint32_t id) {
 }
 
 std::string identifier_of(const wire::dbc::Message& message) {
-  const std::string id =
-      fmt::format("Identifier {:X}h, {} bits", message.id, message.extended ? 29 : 11);
+  std::string id = fmt::format("Identifier {:X}h, {} bits", message.id, message.extended ? 29 : 11);
   if (message.format != wire::dbc::FrameFormat::j1939) return id;
   const std::uint32_t source = message.id & 0xFF;
   const std::string sender = source == wire::dbc::any_source ? std::string("any sender")

@@ -35,7 +35,8 @@ class Joiner {
   struct Key {
     std::string device, folder;
     std::vector<std::size_t> readers;
-    auto operator<=>(const Key&) const = default;
+    auto operator<=>(const Key&) const =
+        default;  // NOLINT(modernize-use-nullptr): clang 14 takes it for a 0
   };
 
   const std::vector<RigReader>& readers() {
