@@ -34,7 +34,13 @@ void Annotations::more_senders() {
     if (place) add_sender(contents_.database.messages[*place], name);
     in_.accept(',');
   }
-  in_.expect(';');
+  end_statement();
+}
+
+void Annotations::end_statement() {
+  if (in_.accept(';')) return;
+  if (!in_.at_statement_end()) in_.fail("';' is missing");
+  contents_.remarks.warn(in_.place(), "';' is missing");
 }
 
 /// The message of a reference. Empty for the orphans, or after a warning.
@@ -43,12 +49,17 @@ std::optional<std::size_t> Annotations::referred_message() {
   const std::uint32_t id = read_identifier(in_);
   const auto found = contents_.places.find(id);
   if (found != contents_.places.end()) return found->second;
-  if (id != id_of_orphans) contents_.remarks.warn(at, "no message has this identifier");
+  if (id == id_of_orphans) return std::nullopt;
+  if (!complete_) throw TooEarly{};
+  contents_.remarks.warn(at, "no message has this identifier");
   return std::nullopt;
 }
 
 std::optional<Annotations::Found> Annotations::referred_signal() {
-  const auto place = referred_message();
+  return referred_signal(referred_message());
+}
+
+std::optional<Annotations::Found> Annotations::referred_signal(std::optional<std::size_t> place) {
   const Place at = in_.place();
   const std::string name{in_.word("a signal")};
   if (!place) return std::nullopt;
@@ -67,6 +78,17 @@ Node* Annotations::node(std::string_view name) {
   return found != contents_.database.nodes.end() ? &*found : nullptr;
 }
 
+/// Where the comment on a signal goes; nowhere if it names none, as some files have it.
+std::string* Annotations::comment_of_signal() {
+  const auto place = referred_message();
+  if (in_.next_is('"')) {
+    contents_.remarks.warn(in_.place(), "the comment names no signal");
+    return nullptr;
+  }
+  const auto found = referred_signal(place);
+  return found ? &found->signal->comment : nullptr;
+}
+
 void Annotations::comment() {
   const std::string_view object = in_.next_is('"') ? "" : in_.word("what the comment is about");
   std::string* text = nullptr;
@@ -75,13 +97,13 @@ void Annotations::comment() {
   } else if (object == "BO_") {
     if (const auto place = referred_message()) text = &contents_.database.messages[*place].comment;
   } else if (object == "SG_") {
-    if (const auto found = referred_signal()) text = &found->signal->comment;
+    text = comment_of_signal();
   } else if (!object.empty()) {
     in_.word("what the comment is about");
   }
   const std::string content = in_.string("the comment");
   if (text) *text = content;
-  in_.expect(';');
+  end_statement();
 }
 
 void Annotations::attribute() {
@@ -100,7 +122,7 @@ void Annotations::attribute() {
     in_.word("a variable");
   }
   AttributeValue value = Attributes::read_value(in_);
-  in_.expect(';');
+  end_statement();
   if (name.starts_with("System") && name.ends_with("LongSymbol")) {
     if (long_name && is_name(value.text)) *long_name = value.text;
   } else if (place) {
@@ -118,14 +140,23 @@ std::string_view Annotations::object_word() {
 void Annotations::labels() {
   const std::string_view next = in_.next_word();
   const bool of_variable = next.empty() || next.front() < '0' || next.front() > '9';
-  if (of_variable) return in_.skip_to_semicolon();
+  if (of_variable) {
+    in_.skip_to_statement_end();
+    return end_statement();
+  }
   const auto found = referred_signal();
   std::vector<Label> all;
-  while (!in_.next_is(';')) {
-    const std::int64_t raw = in_.integer("the raw value");
-    all.push_back({raw, in_.string("the value's name")});
+  while (!in_.at_statement_end()) {
+    const Place at = in_.place();
+    const auto raw = in_.raw_value("the raw value");
+    std::string text = in_.string("the value's name");
+    if (raw) {
+      all.push_back({*raw, std::move(text)});
+    } else {
+      contents_.remarks.warn(at, "no raw value is this number, so the name is never told");
+    }
   }
-  in_.expect(';');
+  end_statement();
   if (found) found->signal->labels = std::move(all);
 }
 
@@ -134,7 +165,7 @@ void Annotations::value_type() {
   in_.accept(':');
   const Place at = in_.place();
   const auto type = in_.bounded("the type", 0, 2);
-  in_.expect(';');
+  end_statement();
   if (!found || type == 0) return;
   if (found->signal->layout.bits != 32 * type)
     throw Unreadable{{at, "a floating-point number has 32 bits (1) or 64 bits (2)"}};
@@ -145,16 +176,15 @@ void Annotations::multiplexed_values() {
   const auto found = referred_signal();
   const std::string selector{in_.word("the selector")};
   std::vector<Range> ranges;
-  while (!in_.next_is(';')) {
+  while (!in_.at_statement_end()) {
     const Place at = in_.place();
     const std::int64_t first = in_.integer("the first value");
-    in_.expect('-');
-    ranges.push_back({first, in_.integer("the last value")});
+    ranges.push_back({first, in_.accept('-') ? in_.integer("the last value") : first});
     if (ranges.back().last < first)
       contents_.remarks.warn(at, "the range ends before it begins, so no value is in it");
     in_.accept(',');
   }
-  in_.expect(';');
+  end_statement();
   if (!found) return;
   found->choice->selector = selector;
   found->choice->ranges = std::move(ranges);

@@ -25,7 +25,10 @@ struct Contents {
 std::uint32_t read_identifier(Scanner& in);
 void add_sender(Message& m, std::string_view name);
 
-/// Reads the statements that say more of nodes, messages and signals which stand before them.
+/// Thrown at a reference to a message that may still come.
+struct TooEarly {};
+
+/// Reads the statements that say more of nodes, messages and signals.
 class Annotations {
  public:
   Annotations(Scanner& in, Contents& contents) : in_(in), contents_(contents) {}
@@ -37,6 +40,12 @@ class Annotations {
   void value_type();          ///< SIG_VALTYPE_
   void multiplexed_values();  ///< SG_MUL_VAL_
 
+  /// From now on a reference to an unknown message is doubtful, and no longer too early.
+  void all_messages_are_read() { complete_ = true; }
+
+  /// Takes the ';'. A warning where the next statement or the end of the file comes instead.
+  void end_statement();
+
  private:
   struct Found {
     std::size_t message = 0;
@@ -46,11 +55,14 @@ class Annotations {
 
   std::optional<std::size_t> referred_message();
   std::optional<Found> referred_signal();
+  std::optional<Found> referred_signal(std::optional<std::size_t> message);
+  std::string* comment_of_signal();
   Node* node(std::string_view name);
   std::string_view object_word();
 
   Scanner& in_;
   Contents& contents_;
+  bool complete_ = false;
 };
 
 }  // namespace drydock::wire::dbc

@@ -9,7 +9,7 @@ AttributeValue Attributes::read_value(Scanner& in) {
   if (in.next_is('"')) {
     value.text = in.string("the value");
   } else {
-    value.number = in.number("the value");
+    value.number = in.told_number("the value");
   }
   return value;
 }
@@ -24,13 +24,12 @@ void Attributes::define(Scanner& in) {
       values.push_back(in.string("a value"));
     } while (in.accept(','));
   }
-  in.skip_to_semicolon();  // the limits of numbers
+  in.skip_to_statement_end();  // the limits of numbers
 }
 
 void Attributes::set_default(Scanner& in) {
   const std::string name = in.string("the attribute's name");
   defaults_[name] = read_value(in);
-  in.expect(';');
 }
 
 void Attributes::set(std::size_t message, const std::string& name, AttributeValue value) {

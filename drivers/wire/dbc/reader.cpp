@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "drivers/wire/dbc/annotations.hpp"
 #include "drivers/wire/dbc/keywords.hpp"
@@ -25,15 +26,14 @@ class Reader {
       : in_(text), contents_{reading.database, Remarks(reading)} {}
 
   void read() {
-    while (!in_.at_end()) {
-      try {
-        statement();
-      } catch (const Unreadable& fault) {
-        contents_.remarks.error(fault.remark.at, fault.remark.text);
-        skip_to_statement();
-      }
+    while (!in_.at_end()) next_statement();
+    annotations_.all_messages_are_read();
+    for (const Scanner& early : early_) {
+      in_ = early;
+      next_statement();
     }
     finish();
+    contents_.remarks.in_order_of_lines();
   }
 
  private:
@@ -47,6 +47,26 @@ class Reader {
     const auto* const found = std::ranges::find(statements, word, &Statement::word);
     return found != statements.end() ? found : nullptr;
   }
+  void next_statement() {
+    try {
+      statement_now_or_later();
+    } catch (const Unreadable& fault) {
+      contents_.remarks.error(fault.remark.at, fault.remark.text);
+      skip_to_statement();
+    }
+  }
+
+  void statement_now_or_later() {
+    const Scanner begin = in_;
+    try {
+      statement();
+    } catch (const TooEarly&) {
+      in_.skip_to_statement_end();
+      in_.accept(';');
+      early_.push_back(begin);
+    }
+  }
+
   void statement() {
     if (in_.accept(';')) return;
     const std::string_view word = in_.next_word();
@@ -54,7 +74,9 @@ class Reader {
     if (!known && !is_skipped(word))
       in_.fail(word == "SG_" ? "SG_ stands behind no BO_" : "no statement begins so");
     in_.word("a statement");
-    known ? (this->*known->read)() : in_.skip_to_semicolon();
+    if (known) return (this->*known->read)();
+    in_.skip_to_statement_end();
+    annotations_.end_statement();
   }
 
   void skip_to_statement() {
@@ -65,10 +87,10 @@ class Reader {
 
   void version() { in_.string("the version"); }
 
-  /// Keywords without content, indented.
+  /// Keywords without content: indented, or each alone on its line.
   void new_symbols() {
     in_.accept(':');
-    while (!in_.at_end() && !in_.at_margin()) in_.skip_line();
+    while (!in_.at_end() && (!in_.at_margin() || in_.next_word_is_alone())) in_.skip_line();
   }
 
   void bit_timing() {
@@ -135,8 +157,14 @@ class Reader {
   void value_type() { annotations_.value_type(); }
   void multiplexed_values() { annotations_.multiplexed_values(); }
 
-  void attribute_definition() { contents_.attributes.define(in_); }
-  void attribute_default() { contents_.attributes.set_default(in_); }
+  void attribute_definition() {
+    contents_.attributes.define(in_);
+    annotations_.end_statement();
+  }
+  void attribute_default() {
+    contents_.attributes.set_default(in_);
+    annotations_.end_statement();
+  }
 
   void finish() {
     for (std::size_t i = 0; i < contents_.database.messages.size(); ++i) {
@@ -166,6 +194,7 @@ class Reader {
   Scanner in_;
   Contents contents_;
   Annotations annotations_{in_, contents_};
+  std::vector<Scanner> early_;  ///< at statements on messages that stand behind them
 };
 
 const std::array<Reader::Statement, 13> Reader::statements{
@@ -189,6 +218,10 @@ Reading read(std::string_view bytes) {
   Reading reading;
   if (bytes.size() > longest_text) {
     reading.errors.push_back({{}, "the file is longer than 16 MiB"});
+    return reading;
+  }
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
+    reading.errors.push_back({{}, "the file is UTF-16: convert it to UTF-8"});
     return reading;
   }
   const std::string text = to_utf8(bytes);

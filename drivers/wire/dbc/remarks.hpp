@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,10 @@ class Remarks {
 
   void error(Place at, std::string text) { add(reading_.errors, {at, std::move(text)}); }
   void warn(Place at, std::string text) { add(reading_.warnings, {at, std::move(text)}); }
+  void in_order_of_lines() {
+    for (auto* list : {&reading_.errors, &reading_.warnings})
+      std::ranges::stable_sort(*list, {}, [](const Remark& r) { return r.at.line; });
+  }
 
  private:
   void add(std::vector<Remark>& list, Remark remark) {

@@ -1,14 +1,26 @@
 #include "drivers/wire/dbc/scanner.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
+
+#include "drivers/wire/dbc/keywords.hpp"
 
 namespace drydock::wire::dbc {
 
 namespace {
 
+constexpr std::string_view blanks_of_a_line = " \t\r\f\v";
+constexpr char end_mark_of_dos = '\x1A';
+
 bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
+  return blanks_of_a_line.find(c) != std::string_view::npos || c == '\n' || c == end_mark_of_dos ||
+         c == '\0';
+}
+
+std::string_view without_blanks(std::string_view text) {
+  return text.substr(std::min(text.find_first_not_of(blanks_of_a_line), text.size()));
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -76,12 +88,23 @@ std::string Scanner::string(std::string_view what) {
   const Place begin = place_;
   std::string content;
   for (advance(); !at_end() && text_[at_] != '"'; advance()) {
-    if (text_.substr(at_, 2) == "\\\"") advance();
+    if (text_.substr(at_, 2) == "\\\"" && !is_last_quote(at_ + 1)) advance();
     content += text_[at_];
   }
   if (at_end()) throw Unreadable{{begin, "the text in quotes has no end"}};
   take(1);
   return content;
+}
+
+/// True for a quote with its ';' behind it at the end of a line, before a statement: a backslash in
+/// front of it is the last character of a path, and not the sign that the text goes on.
+bool Scanner::is_last_quote(std::size_t at) const {
+  std::string_view rest = without_blanks(text_.substr(at + 1));
+  if (!rest.starts_with(';')) return false;
+  rest = without_blanks(rest.substr(1));
+  if (!rest.empty() && rest.front() != '\n') return false;
+  const Scanner next(rest);
+  return next.at_end() || is_keyword(next.next_word());
 }
 
 std::string_view Scanner::digits(bool with_fraction) const {
@@ -105,6 +128,42 @@ double Scanner::number(std::string_view what) {
   if (!read_whole(text, value) || !std::isfinite(value)) fail(std::string(what) + " is no number");
   take(text.size());
   return value;
+}
+
+double Scanner::told_number(std::string_view what) {
+  constexpr double most = std::numeric_limits<double>::max();
+  std::size_t end = at_;
+  while (end < text_.size() &&
+         (is_of_word(text_[end]) || text_[end] == '.' || text_[end] == '+' || text_[end] == '-'))
+    ++end;
+  std::string_view text = text_.substr(at_, end - at_);
+  const std::size_t size = text.size();
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto [stop, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || fault == std::errc::invalid_argument || stop != text.data() + text.size())
+    fail(std::string(what) + " is no number");
+  take(size);
+  if (fault == std::errc::result_out_of_range) {
+    const std::size_t exponent = text.find_first_of("eE");
+    const bool small =
+        exponent != std::string_view::npos && text.substr(exponent + 1).starts_with('-');
+    value = small ? 0 : text.starts_with('-') ? -most : most;
+  }
+  return std::isnan(value) ? 0 : std::clamp(value, -most, most);
+}
+
+std::optional<std::int64_t> Scanner::raw_value(std::string_view what) {
+  const std::string_view text = digits(false);
+  if (text != digits(true)) {
+    const double written = number(what);
+    if (std::trunc(written) != written || std::abs(written) >= 0x1p63) return std::nullopt;
+    return static_cast<std::int64_t>(written);
+  }
+  std::uint64_t bits = 0;
+  if (!read_whole(text, bits)) return integer(what);
+  take(text.size());
+  return static_cast<std::int64_t>(bits);
 }
 
 std::int64_t Scanner::integer(std::string_view what) {
@@ -139,15 +198,24 @@ char Scanner::one_of(std::string_view allowed) {
   return take(1).front();
 }
 
-void Scanner::skip_to_semicolon() {
-  while (!at_end() && !next_is(';')) {
+bool Scanner::at_statement_end() const {
+  return at_end() || next_is(';') || (at_margin() && is_keyword(next_word()));
+}
+
+void Scanner::skip_to_statement_end() {
+  while (!at_statement_end()) {
     if (next_is('"')) {
       string("a text");
     } else {
       take(1);
     }
   }
-  accept(';');
+}
+
+bool Scanner::next_word_is_alone() const {
+  const std::string_view word = next_word();
+  const std::string_view rest = without_blanks(text_.substr(at_ + word.size()));
+  return !word.empty() && (rest.empty() || rest.front() == '\n');
 }
 
 void Scanner::skip_line() {

@@ -49,9 +49,9 @@ Layout read_layout(Scanner& in) {
 
 void read_limits(Scanner& in, Signal& s) {
   in.expect('[');
-  s.lowest = in.number("the lowest value");
+  s.lowest = in.told_number("the lowest value");
   in.expect('|');
-  s.highest = in.number("the highest value");
+  s.highest = in.told_number("the highest value");
   in.expect(']');
 }
 

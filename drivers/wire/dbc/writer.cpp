@@ -72,6 +72,11 @@ std::string message_notes(const Message& m) {
   return text;
 }
 
+std::string raw_value(const Signal& s, std::int64_t raw) {
+  const bool is_unsigned = s.layout.number == Number::unsigned_integer && s.layout.bits == 64;
+  return is_unsigned ? std::to_string(static_cast<std::uint64_t>(raw)) : std::to_string(raw);
+}
+
 std::string signal_notes(const Message& m, const Signal& s) {
   const std::string of = fmt::format("{} {}", identifier_of(m), s.name);
   std::string text;
@@ -82,7 +87,7 @@ std::string signal_notes(const Message& m, const Signal& s) {
   if (!s.labels.empty()) {
     text += fmt::format("VAL_ {}", of);
     for (const Label& label : s.labels)
-      text += fmt::format(" {} {}", label.raw, in_quotes(label.text));
+      text += " " + raw_value(s, label.raw) + " " + in_quotes(label.text);
     text += " ;\n";
   }
   if (s.selected_by && !s.when.empty() && needs_ranges(m)) {

@@ -39,6 +39,13 @@ std::vector<std::filesystem::path> files() {
   return found;
 }
 
+TEST(DbcWriter, ANameOfAll64BitsIsWrittenWithoutASign) {
+  const auto database = test::sound(
+      "BO_ 1 a: 8 n\n SG_ s : 0|64@1+ (1,0) [0|0] \"\" n\nVAL_ 1 s 18446744073709551615 \"none\" "
+      ";\n");
+  EXPECT_NE(write(database.messages).find("18446744073709551615 \"none\""), std::string::npos);
+}
+
 TEST(DbcWriter, EveryFileReadsBackToTheSameMessages) {
   std::size_t compared = 0;
   for (const auto& file : files()) {
