@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "drivers/wire/bytes.hpp"
+#include "drivers/wire/ubx/ubx_names.hpp"
 #include "hil/emulate/ublox/ublox_dialogue.hpp"
 
 namespace drydock::emulate::ublox {
@@ -51,6 +52,17 @@ void store(std::span<std::uint8_t> payload, std::size_t offset, std::size_t size
            std::uint64_t value) {
   for (std::size_t i = 0; i < size; ++i)
     payload[offset + i] = static_cast<std::uint8_t>(value >> 8 * i);
+}
+
+std::string name_of(std::uint16_t id) {
+  const auto sentence = ubx::name_of_message(id);
+  if (!sentence.empty()) return std::string(sentence);
+  return ubx::message_name(static_cast<std::uint8_t>(id >> 8), static_cast<std::uint8_t>(id));
+}
+
+bool is_sent(std::uint16_t id) {
+  return std::ranges::find(message_facts(), id, &MessageFacts::class_and_id) !=
+         message_facts().end();
 }
 
 constexpr bool bit(std::uint64_t word, unsigned number) { return (word >> number & 1u) != 0; }
@@ -129,8 +141,9 @@ Verdict UbloxDialogue::on_msg(wire::Bytes payload) {
     return Verdict::nak;
   }
   const auto rate = settings_[*first + uart1];
-  note_ = fmt::format("{} {}", ubx::name_of_message(id),
-                      rate == 0 ? "off" : fmt::format("each {} epochs", rate));
+  note_ =
+      fmt::format("{} {}{}", name_of(id), rate == 0 ? "off" : fmt::format("each {} epochs", rate),
+                  rate > 0 && !is_sent(id) ? ", never sent here" : "");
   return Verdict::ack;
 }
 
@@ -227,7 +240,10 @@ Verdict UbloxDialogue::on_rst(wire::Bytes payload) {
   switch (payload[2]) {
     case hardware:
     case controlled:
-    case hardware_after_shutdown: settings_.restart(); [[fallthrough]];
+    case hardware_after_shutdown:
+      settings_.restart();
+      kept_.restart();
+      [[fallthrough]];
     case gnss_only: owner_.search_again(cold); break;
     case stop: owner_.run_gnss(false); break;
     case start: owner_.run_gnss(true); break;

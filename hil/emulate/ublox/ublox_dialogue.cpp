@@ -1,10 +1,9 @@
 #include "hil/emulate/ublox/ublox_dialogue.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "drivers/wire/text_fields.hpp"
+#include "drivers/wire/ubx/ubx_names.hpp"
 #include "drivers/wire/ubx/ubx_put.hpp"
 
 namespace drydock::emulate::ublox {
@@ -25,6 +24,8 @@ const UbloxDialogue::Row* UbloxDialogue::row_of(std::uint16_t id) {
       {ubx::cfg_valget, "CFG-VALGET", &UbloxDialogue::on_valget, true},
       {ubx::cfg_valdel, "CFG-VALDEL", &UbloxDialogue::on_valdel, true},
       {ubx::mon_ver, "MON-VER", &UbloxDialogue::on_ver},
+      {mon_io, "MON-IO", &UbloxDialogue::on_io},
+      {mon_comms, "MON-COMMS", &UbloxDialogue::on_comms, true},
   });
   const auto found = std::ranges::find(rows, id, &Row::id);
   return found == rows.end() ? nullptr : &*found;
@@ -33,12 +34,15 @@ const UbloxDialogue::Row* UbloxDialogue::row_of(std::uint16_t id) {
 void UbloxDialogue::receive(wire::Bytes bytes, Stamp now, bool refuses, Wire& out) {
   out_ = &out;
   refuses_ = refuses;
+  traffic_.bytes_in += static_cast<std::uint32_t>(bytes.size());
   framer_.feed(bytes, now, wire::UbxNmea::scan,
                [this](wire::Bytes frame, const device::Arrival&) { on_frame(frame); });
 }
 
 void UbloxDialogue::on_frame(wire::Bytes frame) {
-  if (frame[0] == '$' && settings_[in_nmea] != 0) return on_sentence(wire::as_text(frame));
+  const bool sentence = frame[0] == '$';
+  ++(sentence ? traffic_.nmea_in : traffic_.ubx_in);
+  if (sentence && settings_[in_nmea] != 0) return on_sentence(wire::as_text(frame));
   if (frame[0] == ubx::sync_1 && settings_[in_ubx] != 0) on_packet(ubx::packet_of(frame));
 }
 
@@ -64,10 +68,23 @@ Verdict UbloxDialogue::handle(const Packet& packet) {
     if (refuses_ && sets && packet.class_and_id != ubx::cfg_valget) return Verdict::nak;
     return (this->*row->handle)(packet.payload);
   }
+  if (kept_.has(packet.class_and_id)) return on_kept(packet);
   if (configures) return Verdict::nak;
   if (packet.payload.empty() && rate_item(packet.class_and_id, uart1, settings_.model()))
     owner_.send_message(packet.class_and_id, *out_);
   return Verdict::none;
+}
+
+Verdict UbloxDialogue::on_kept(const Packet& packet) {
+  const auto [id, payload] = packet;
+  if (const auto answer = kept_.polled(id, payload); !answer.empty()) {
+    reply(id, answer);
+    return Verdict::ack;
+  }
+  if (refuses_ || !kept_.take(id, payload)) return Verdict::nak;
+  changed_ = true;
+  note_ = "taken, no effect here";
+  return Verdict::ack;
 }
 
 void UbloxDialogue::acknowledge(std::uint16_t id, Verdict verdict) {
@@ -88,7 +105,8 @@ void UbloxDialogue::tell_of(const Packet& packet, Verdict verdict) {
   const Row* row = row_of(packet.class_and_id);
   const std::string name =
       row ? std::string(row->name)
-          : fmt::format("{:02X} {:02X}", packet.class_and_id >> 8, packet.class_and_id & 0xFF);
+          : ubx::message_name(static_cast<std::uint8_t>(packet.class_and_id >> 8),
+                              static_cast<std::uint8_t>(packet.class_and_id));
   const std::string what = note_.empty() ? name : name + ": " + note_;
   out_->tell(verdict == Verdict::nak ? "refused " + what : what);
 }
@@ -105,7 +123,9 @@ void UbloxDialogue::reply(std::uint16_t id, wire::Bytes payload) {
 }
 
 void UbloxDialogue::send(wire::Bytes frame) {
-  if (settings_[out_ubx] != 0 && !frame.empty()) out_->send(frame);
+  if (settings_[out_ubx] == 0 || frame.empty()) return;
+  out_->send(frame);
+  count_sent(frame.size());
 }
 
 }  // namespace drydock::emulate::ublox

@@ -5,7 +5,9 @@
 #include "drivers/device/timed_framer.hpp"
 #include "drivers/wire/ubx/ubx_nmea.hpp"
 #include "drivers/wire/ubx/ubx_settings.hpp"
+#include "hil/emulate/ublox/ublox_kept.hpp"
 #include "hil/emulate/ublox/ublox_owner.hpp"
+#include "hil/emulate/ublox/ublox_ports.hpp"
 #include "hil/emulate/ublox/ublox_settings.hpp"
 #include "hil/emulate/ublox/ublox_transaction.hpp"
 
@@ -27,6 +29,9 @@ class UbloxDialogue {
 
   /// Frames with a bad checksum, and bytes of no frame.
   const wire::StreamCounters& counters() const { return framer_.counters(); }
+
+  /// The receiver has sent so much by itself.
+  void count_sent(std::size_t bytes) { traffic_.bytes_out += static_cast<std::uint32_t>(bytes); }
 
  private:
   using Packet = wire::ubx::Packet;
@@ -69,7 +74,10 @@ class UbloxDialogue {
   Verdict apply(const Transaction::Changes& changes, std::uint8_t layers);
   Verdict refuse(std::string why);
 
-  Verdict on_ver(wire::Bytes payload);  // ublox_status.cpp
+  Verdict on_ver(wire::Bytes payload);    // ublox_status.cpp
+  Verdict on_io(wire::Bytes payload);     // ublox_ports.cpp
+  Verdict on_comms(wire::Bytes payload);  // ublox_ports.cpp
+  Verdict on_kept(const Packet& packet);
 
   // Sentences $PUBX, ublox_sentences.cpp
   void on_pubx_rate(std::string_view fields);
@@ -82,6 +90,8 @@ class UbloxDialogue {
 
   UbloxSettings& settings_;
   Transaction transaction_;
+  KeptMessages kept_;
+  PortTraffic traffic_;
   Owner& owner_;
   device::TimedFramer<wire::UbxNmea::max_frame> framer_;
   Wire* out_ = nullptr;  ///< valid during receive()

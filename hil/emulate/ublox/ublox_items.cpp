@@ -1,5 +1,6 @@
 #include "hil/emulate/ublox/ublox_items.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "hil/emulate/ublox/ublox_inert_items.hpp"
@@ -64,11 +65,17 @@ static_assert(items.size() == first_rate);
 
 // In the order on the line within an epoch.
 constexpr auto sent = std::to_array<MessageFacts>({
-    {0xF004, 0x209100AB}, {0xF000, 0x209100BA}, {0xF005, 0x209100B0},    {0xF002, 0x209100BF},
-    {0xF003, 0x209100C4}, {0xF001, 0x209100C9}, {0xF008, 0x209100D8},    {0x0107, 0x20910006, 1},
-    {0x0103, 0x2091001A}, {0x0102, 0x20910029}, {0x0112, 0x20910042},    {0x0106, 0},
-    {0x0104, 0x20910038}, {0x0120, 0x20910047}, {0x0135, 0x20910015, 1}, {0x0130, 0},
-    {0x0A09, 0x209101B4}, {0x0A0B, 0x209101B9}, {0x0D03, 0x20910178},    {0x0161, 0x2091015F, 1},
+    {0xF004, 0x209100AB},           {0xF000, 0x209100BA},
+    {0xF005, 0x209100B0},           {0xF002, 0x209100BF},
+    {0xF003, 0x209100C4},           {0xF001, 0x209100C9},
+    {0xF008, 0x209100D8},           {0x0107, 0x20910006, 1},
+    {0x0103, 0x2091001A},           {0x0102, 0x20910029},
+    {0x0112, 0x20910042},           {0x0106, 0},
+    {0x0104, 0x20910038},           {0x0120, 0x20910047},
+    {0x0135, 0x20910015, 1},        {0x0130, 0},
+    {0x0A09, 0x209101B4},           {0x0A0B, 0x209101B9},
+    {0x0A38, 0x20910359, 0, false}, {0x0D03, 0x20910178},
+    {0x0161, 0x2091015F, 1},
 });
 
 }  // namespace
@@ -79,12 +86,16 @@ namespace {
 
 constexpr std::size_t first_inert = first_rate + ports_of_a_message * sent.size();
 
+std::uint32_t key_of_rate(const MessageFacts& message, std::size_t port) {
+  return message.key == 0 ? 0 : message.key + static_cast<std::uint32_t>(port);
+}
+
 ItemFacts facts_of_inert(std::size_t place) {
   const auto items_of_values = inert_items();
   if (place < items_of_values.size()) return items_of_values[place];
   const std::size_t rate = place - items_of_values.size();
-  const std::uint32_t key = unsent_messages()[rate / ports_of_a_message];
-  return {key + static_cast<std::uint32_t>(rate % ports_of_a_message), messages, 0, 0, 0, 255};
+  const std::size_t port = rate % ports_of_a_message;
+  return {key_of_rate(unsent_messages()[rate / ports_of_a_message], port), messages, 0, 0, 0, 255};
 }
 
 }  // namespace
@@ -98,9 +109,8 @@ ItemFacts facts_of(std::size_t item) {
   if (item >= first_inert) return facts_of_inert(item - first_inert);
   const std::size_t rate = item - first_rate, port = rate % ports_of_a_message;
   const MessageFacts& message = sent[rate / ports_of_a_message];
-  const std::uint32_t key = message.key == 0 ? 0 : message.key + static_cast<std::uint32_t>(port);
   const std::uint64_t delivered = port == uart1 ? message.rate : 0;
-  return {key, messages, delivered, delivered, 0, 255};
+  return {key_of_rate(message, port), messages, delivered, delivered, 0, 255};
 }
 
 std::optional<std::size_t> item_of_key(std::uint32_t key) {
@@ -115,12 +125,14 @@ std::size_t size_of_key(std::uint32_t key) {
 }
 
 std::optional<std::size_t> rate_item(std::uint16_t class_and_id, std::size_t port, Model model) {
-  for (std::size_t i = 0; i < sent.size(); ++i) {
-    if (sent[i].class_and_id != class_and_id) continue;
-    if (model == Model::f9 && sent[i].key == 0) return {};
-    return first_rate + i * ports_of_a_message + port;
-  }
-  return {};
+  const auto in = [&](std::span<const MessageFacts> all,
+                      std::size_t first) -> std::optional<std::size_t> {
+    const auto found = std::ranges::find(all, class_and_id, &MessageFacts::class_and_id);
+    if (found == all.end() || !(model == Model::m8 ? found->on_m8 : found->key != 0)) return {};
+    return first + static_cast<std::size_t>(found - all.begin()) * ports_of_a_message + port;
+  };
+  if (const auto item = in(sent, first_rate)) return item;
+  return in(unsent_messages(), first_inert + inert_items().size());
 }
 
 }  // namespace drydock::emulate::ublox

@@ -82,6 +82,7 @@ struct MessageFacts {
   std::uint16_t class_and_id;
   std::uint32_t key;      ///< of its rate on I2C; that of UART1 is the next one; 0: not on an F9
   std::uint8_t rate = 0;  ///< on UART1 as delivered
+  bool on_m8 = true;
 };
 
 /// The ports in the order of CFG-MSG: I2C, UART1, UART2, USB, SPI.

@@ -27,6 +27,9 @@ constexpr Version zed_f9p{"EXT CORE 1.00 (3fda8e)",
                           {"ROM BASE 0x118B2060", "FWVER=HPG 1.13", "PROTVER=27.12", "MOD=ZED-F9P",
                            "GPS;GLO;GAL;BDS", "QZSS"}};
 
+constexpr std::uint16_t noise = 90, gain = 3000;
+constexpr std::uint8_t antenna_ok = 2, antenna_powered = 1, magnitude = 128;
+
 constexpr std::size_t software_size = 30, hardware_size = 10, extension_size = 30;
 
 std::size_t extensions_of(const Version& version) {
@@ -54,8 +57,6 @@ std::size_t encode_version(Model model, std::span<std::uint8_t> out) {
 }
 
 std::size_t encode_hardware(std::span<std::uint8_t> out) {
-  constexpr std::uint16_t noise = 90, gain = 3000;
-  constexpr std::uint8_t antenna_ok = 2, antenna_powered = 1;
   const auto payload = ubx::payload_in(out, 60);
   if (payload.empty()) return 0;
   wire::store_le<std::uint16_t>(payload, 16, noise);
@@ -66,12 +67,29 @@ std::size_t encode_hardware(std::span<std::uint8_t> out) {
 }
 
 std::size_t encode_hardware_2(std::span<std::uint8_t> out) {
-  constexpr std::uint8_t magnitude = 128, from_flash = 102;
+  constexpr std::uint8_t from_flash = 102;
   const auto payload = ubx::payload_in(out, 28);
   if (payload.empty()) return 0;
   payload[1] = payload[3] = magnitude;
   payload[4] = from_flash;
   return ubx::wrap(out, ubx::mon_hw2, payload.size());
+}
+
+std::size_t encode_radio(std::span<std::uint8_t> out) {
+  constexpr std::size_t head = 4, block = 24, bands = 2;
+  const auto payload = ubx::payload_in(out, head + block * bands);
+  if (payload.empty()) return 0;
+  payload[1] = bands;
+  for (std::size_t i = 0; i < bands; ++i) {
+    const auto band = payload.subspan(head + block * i, block);
+    band[0] = static_cast<std::uint8_t>(i);
+    band[2] = antenna_ok;
+    band[3] = antenna_powered;
+    wire::store_le<std::uint16_t>(band, 12, noise);
+    wire::store_le<std::uint16_t>(band, 14, gain);
+    band[18] = band[20] = magnitude;
+  }
+  return ubx::wrap(out, mon_rf, payload.size());
 }
 
 std::size_t encode_time_mark(std::span<std::uint8_t> out) {

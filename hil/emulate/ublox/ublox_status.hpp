@@ -17,6 +17,10 @@ std::size_t encode_version(Model model, std::span<std::uint8_t> out);
 std::size_t encode_hardware(std::span<std::uint8_t> out);
 std::size_t encode_hardware_2(std::span<std::uint8_t> out);
 
+/// The same of an F9, for each of its two bands.
+inline constexpr std::uint16_t mon_rf = 0x0A38;
+std::size_t encode_radio(std::span<std::uint8_t> out);
+
 /// No edge has come at the input EXTINT.
 std::size_t encode_time_mark(std::span<std::uint8_t> out);
 

@@ -40,6 +40,11 @@ std::optional<std::uint64_t> value_in(const UbloxSettings& settings, std::uint8_
 
 std::string unknown(std::uint32_t key) { return fmt::format("unknown key {:08X}h", key); }
 
+void delete_meant(std::uint32_t wildcard, Transaction::Changes& changes) {
+  for (std::size_t item = 0; item < item_count(); ++item)
+    if (is_meant(facts_of(item).key, wildcard)) changes[item].reset();
+}
+
 /// Reads pairs of key and value, or keys alone. Returns the words that tell what is wrong with the
 /// first that is none; empty: nothing.
 std::string read_changes(wire::Bytes data, Transaction::Kind kind, Transaction::Changes& changes) {
@@ -49,6 +54,11 @@ std::string read_changes(wire::Bytes data, Transaction::Kind kind, Transaction::
     const auto key = load_le<std::uint32_t>(data, 0);
     const std::size_t size = kind == Transaction::Kind::set ? size_of_key(key) : 0;
     const auto item = item_of_key(key);
+    if (!item && kind == Transaction::Kind::deletion && is_wildcard(key)) {
+      delete_meant(key, changes);
+      data = data.subspan(key_size);
+      continue;
+    }
     if (!item) return unknown(key);
     if (data.size() < key_size + size) return fmt::format("half a value of key {:08X}h", key);
     auto& change = changes[*item];

@@ -89,6 +89,7 @@ class UbxGnss final : public SamplingDevice, private ublox::Owner {
       case wire::NavEoe::class_and_id: return send(wire::NavEoe{epoch_.time_of_week}, out);
       case ubx::mon_hw: return put_out(ublox::encode_hardware(bytes_), out);
       case ubx::mon_hw2: return put_out(ublox::encode_hardware_2(bytes_), out);
+      case ublox::mon_rf: return put_out(ublox::encode_radio(bytes_), out);
       case ubx::tim_tm2: return put_out(time_mark(), out);
       default: return send_sentence(class_and_id, out);
     }
@@ -120,7 +121,9 @@ class UbxGnss final : public SamplingDevice, private ublox::Owner {
     put_out(wire::encode(message, bytes_), out);
   }
   void put_out(std::size_t size, Wire& out) {
-    if (size > 0) out.send(wire::Bytes{bytes_}.first(size));
+    if (size == 0) return;
+    out.send(wire::Bytes{bytes_}.first(size));
+    dialogue_.count_sent(size);
   }
 
   void search_again(bool cold) override {

@@ -123,9 +123,9 @@ TEST(EmulatedUblox, TellsWhatItWasToldAndWhatItRefused) {
   host.say(ubx::cfg_rate, {200, 0, 1, 0, 0, 0});
   host.say(ubx::cfg_rate, {200, 0, 1, 0, 0, 0});
   host.say(ubx::cfg_msg, {0x01, 0x20, 5});
-  host.say(0x0631, {1});
+  host.say(0x063B, {1});
   EXPECT_THAT(host.told, ElementsAre("CFG-RATE: an epoch each 200 ms",
-                                     "CFG-MSG: NAV-TIMEGPS each 5 epochs", "refused 06 31"));
+                                     "CFG-MSG: NAV-TIMEGPS each 5 epochs", "refused CFG-PM2"));
 }
 
 /// The order in which ArduSub 4.7 sets up a receiver that it takes for an M8.
