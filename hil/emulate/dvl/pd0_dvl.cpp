@@ -1,7 +1,7 @@
 #include "drivers/wire/dvl/pd0.hpp"
 #include "hil/emulate/devices.hpp"
-#include "hil/emulate/dvl/dvl_device.hpp"
 #include "hil/emulate/dvl/dvl_head.hpp"
+#include "hil/emulate/dvl/rdi_dvl.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -20,16 +20,16 @@ wire::Pd0FixedLeader fixed_leader(const sensor::JanusHead& head) {
   return leader;
 }
 
-class Pd0Dvl final : public DvlDevice {
+class Pd0Dvl final : public RdiDvl {
  public:
-  explicit Pd0Dvl(const DeviceSetup& setup)
-      : DvlDevice(setup, {}), errors_(setup.primary_errors()) {
+  explicit Pd0Dvl(const DeviceSetup& setup) : RdiDvl(setup, 0), errors_(setup.primary_errors()) {
     ensemble_.fixed = fixed_leader(head());
   }
 
  private:
   void sample(Stamp at, Wire& out) override {
     const auto measured = ping(at);
+    if (!pings(at)) return;
     set_variable_leader(measured);
     set_bottom_track(measured);
     out.send(wire::Bytes{bytes_}.first(wire::encode(ensemble_, bytes_)));

@@ -1,8 +1,8 @@
 #include "drivers/wire/dvl/pd4.hpp"
 
 #include "hil/emulate/devices.hpp"
-#include "hil/emulate/dvl/dvl_device.hpp"
 #include "hil/emulate/dvl/dvl_head.hpp"
+#include "hil/emulate/dvl/rdi_dvl.hpp"
 
 namespace drydock::emulate {
 namespace {
@@ -11,10 +11,10 @@ namespace {
 /// Linked head reports "ship axes with tilts" and sends forward, starboard, down, as its maker
 /// documents.
 template <class Protocol>
-class Pd4Dvl final : public DvlDevice {
+class Pd4Dvl final : public RdiDvl {
  public:
   explicit Pd4Dvl(const DeviceSetup& setup)
-      : DvlDevice(setup, {}),
+      : RdiDvl(setup, std::is_same_v<Protocol, wire::Pd5> ? 5 : 4),
         errors_(setup.primary_errors()),
         water_linked_(setup.config.maker == rig_config::DvlMaker::water_linked) {}
 
@@ -23,6 +23,7 @@ class Pd4Dvl final : public DvlDevice {
 
   void sample(Stamp at, Wire& out) override {
     const auto measured = ping(at);
+    if (!pings(at)) return;
     Report report;
     report.frame = wire::DvlFrame::ship;
     report.tilts_used = water_linked_;

@@ -2,24 +2,25 @@
 
 #include "estimators/frame/attitude.hpp"
 #include "hil/emulate/devices.hpp"
-#include "hil/emulate/dvl/dvl_device.hpp"
 #include "hil/emulate/dvl/dvl_head.hpp"
+#include "hil/emulate/dvl/rdi_dvl.hpp"
 
 namespace drydock::emulate {
 namespace {
 
 /// One ensemble of ten lines per sample. A Water Linked head sends forward, starboard, down in :BI,
 /// has no compass and fills only :TS, :BI, :BS and :BD.
-class Pd6Dvl final : public DvlDevice {
+class Pd6Dvl final : public RdiDvl {
  public:
   explicit Pd6Dvl(const DeviceSetup& setup)
-      : DvlDevice(setup, {}),
+      : RdiDvl(setup, 6),
         errors_(setup.primary_errors()),
         water_linked_(setup.config.maker == rig_config::DvlMaker::water_linked) {}
 
  private:
   void sample(Stamp at, Wire& out) override {
     const auto measured = ping(at);
+    if (!pings(at)) return;
     size_ = 0;
     write_sensors(at, measured);
     write_water_track(measured);
