@@ -1,6 +1,6 @@
 #include <numbers>
 
-#include "hil/emulate/can/nmea2000_name.hpp"
+#include "hil/emulate/can/nmea2000_device.hpp"
 #include "hil/emulate/can/ordered_actuator.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/sensor/ideal.hpp"
@@ -8,15 +8,14 @@
 namespace drydock::emulate {
 namespace {
 
-constexpr std::uint8_t preferred_address = 0x24;
+constexpr std::array sends{wire::nmea2000::Rudder::pgn, wire::nmea2000::Engine::pgn};
 // NMEA 2000 class "steering and control surfaces", function "rudder".
-constexpr std::uint8_t device_class = 40, rudder_function = 155;
+constexpr Nmea2000Product product{"actuators", 155, 40, 0x24, sends, sends};
 
-class Nmea2000Actuators final : public J1939Device {
+class Nmea2000Actuators final : public Nmea2000Device {
  public:
   explicit Nmea2000Actuators(const DeviceSetup& setup)
-      : J1939Device(setup, marine_name(setup.config, rudder_function, device_class),
-                    preferred_address),
+      : Nmea2000Device(setup, product),
         angle_errors_(setup.primary_errors()),
         shaft_errors_(setup.secondary_errors()),
         instance_(static_cast<std::uint8_t>(setup.config.instance.value_or(0))),
@@ -45,7 +44,7 @@ class Nmea2000Actuators final : public J1939Device {
   }
 
   /// Orders come from any node of the bus.
-  void hear(const wire::CanFrame& frame, Stamp now, std::uint8_t, Wire&) override {
+  void hear_message(const wire::CanFrame& frame, Stamp now, Wire&) override {
     using wire::nmea2000::Engine;
     using wire::nmea2000::Rudder;
     const auto id = wire::j1939::identify(frame);

@@ -1,21 +1,21 @@
 #include "hil/emulate/attitude_readings.hpp"
-#include "hil/emulate/can/nmea2000_name.hpp"
+#include "hil/emulate/can/nmea2000_device.hpp"
 #include "hil/emulate/devices.hpp"
 
 namespace drydock::emulate {
 namespace {
 
-constexpr std::uint8_t compass_address = 0x27;
+constexpr std::array compass_sends{wire::nmea2000::Attitude::pgn,
+                                   wire::nmea2000::VesselHeading::pgn,
+                                   wire::nmea2000::RateOfTurn::pgn};
 // NMEA 2000 class "navigation", function "ownship attitude".
-constexpr std::uint8_t class_of_navigation = 60, attitude_function = 140;
+constexpr Nmea2000Product compass{"attitude sensor", 140, 60, 0x27, compass_sends, {}};
 constexpr std::uint8_t attitude_sequences = 253;  // SIDs above 252 are reserved
 
-class Nmea2000Attitude final : public J1939Device {
+class Nmea2000Attitude final : public Nmea2000Device {
  public:
   explicit Nmea2000Attitude(const DeviceSetup& setup)
-      : J1939Device(setup, marine_name(setup.config, attitude_function, class_of_navigation),
-                    compass_address),
-        readings_(setup) {}
+      : Nmea2000Device(setup, compass), readings_(setup) {}
 
  private:
   void report(Stamp at, std::uint8_t address, Wire& out) override {

@@ -1,25 +1,25 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hil/emulate/can/nmea2000_name.hpp"
+#include "hil/emulate/can/nmea2000_device.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/sensor/ideal.hpp"
 
 namespace drydock::emulate {
 namespace {
 
-constexpr std::uint8_t preferred_address = 0x23;
+constexpr std::array sends{wire::nmea2000::Pressure::pgn, wire::nmea2000::Temperature::pgn,
+                           wire::nmea2000::WaterDepth::pgn};
 // NMEA 2000 class "sensor communication interface", function "pressure".
-constexpr std::uint8_t device_class = 75, pressure_function = 140;
+constexpr Nmea2000Product product{"depth sensor", 140, 75, 0x23, sends, {}};
 constexpr double echo_range_m = 200;
 constexpr double temperature_interval_s = 2, depth_interval_s = 1;  // from NMEA 2000
 constexpr unsigned sequences = 253;                                 // SIDs above 252 are reserved
 
-class Nmea2000Depth final : public J1939Device {
+class Nmea2000Depth final : public Nmea2000Device {
  public:
   explicit Nmea2000Depth(const DeviceSetup& setup)
-      : J1939Device(setup, marine_name(setup.config, pressure_function, device_class),
-                    preferred_address),
+      : Nmea2000Device(setup, product),
         errors_(setup.primary_errors()),
         instance_(static_cast<std::uint8_t>(setup.config.instance.value_or(0))) {}
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "hil/emulate/can/nmea2000_name.hpp"
+#include "hil/emulate/can/nmea2000_device.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/emulate/gnss/gnss_epoch.hpp"
 
@@ -9,9 +9,11 @@ namespace {
 
 namespace n2k = wire::nmea2000;
 
-constexpr std::uint8_t receiver_address = 0x26;
+constexpr std::array receiver_sends{n2k::CourseAndSpeed::pgn, n2k::GnssPosition::pgn,
+                                    n2k::RapidPosition::pgn, n2k::Dilutions::pgn,
+                                    n2k::SatellitesInView::pgn};
 // NMEA 2000 class "navigation", function "ownship position, GNSS".
-constexpr std::uint8_t receiver_class = 60, receiver_function = 145;
+constexpr Nmea2000Product receiver{"GNSS receiver", 145, 60, 0x26, receiver_sends, {}};
 constexpr std::uint8_t receiver_sequences = 253;  // SIDs above 252 are reserved
 
 std::int64_t utc_ns(const GnssEpoch& epoch) {
@@ -94,12 +96,10 @@ n2k::SatellitesInView satellites_of(const GnssEpoch& epoch) {
   return m;
 }
 
-class Nmea2000Gnss final : public J1939Device {
+class Nmea2000Gnss final : public Nmea2000Device {
  public:
   explicit Nmea2000Gnss(const DeviceSetup& setup)
-      : J1939Device(setup, marine_name(setup.config, receiver_function, receiver_class),
-                    receiver_address),
-        sensor_(setup) {
+      : Nmea2000Device(setup, receiver), sensor_(setup) {
     sample_at_whole_multiples();
   }
 

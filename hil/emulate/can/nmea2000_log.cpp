@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "hil/emulate/can/nmea2000_name.hpp"
+#include "hil/emulate/can/nmea2000_device.hpp"
 #include "hil/emulate/devices.hpp"
 #include "hil/emulate/log_readings.hpp"
 
@@ -9,16 +9,15 @@ namespace {
 
 namespace n2k = wire::nmea2000;
 
-constexpr std::uint8_t log_address = 0x25;
+constexpr std::array log_sends{n2k::Speed::pgn, n2k::DistanceLog::pgn};
 // NMEA 2000 class "navigation", function "speed".
-constexpr std::uint8_t navigation_class = 60, speed_function = 155;
+constexpr Nmea2000Product speed_log{"speed log", 155, 60, 0x25, log_sends, {}};
 constexpr std::uint8_t log_sequences = 253;  // SIDs above 252 are reserved
 
-class Nmea2000Log final : public J1939Device {
+class Nmea2000Log final : public Nmea2000Device {
  public:
   explicit Nmea2000Log(const DeviceSetup& setup)
-      : J1939Device(setup, marine_name(setup.config, speed_function, navigation_class),
-                    log_address),
+      : Nmea2000Device(setup, speed_log),
         readings_(setup),
         samples_per_second_(std::max<std::uint64_t>(1, std::llround(setup.config.rate_hz))) {}
 
