@@ -14,8 +14,9 @@ using canopen::NodeState;
 constexpr std::uint8_t default_node = 1;
 constexpr canopen::ObjectEntry device_type_entry{0x1000, 0}, error_register_entry{0x1001, 0},
     heartbeat_entry{0x1017, 0};
-constexpr std::uint16_t identity_index = 0x1018, pdo_index = 0x1800, mapping_index = 0x1A00;
-constexpr std::uint8_t on_each_sync = 1, by_the_profile = 0xFE;  // PDO transmission types
+constexpr std::uint16_t identity_index = 0x1018, rpdo_index = 0x1400, rpdo_mapping_index = 0x1600,
+                        tpdo_index = 0x1800, tpdo_mapping_index = 0x1A00;
+constexpr std::uint32_t first_rpdo = 0x200, first_tpdo = 0x180;  // predefined connection set
 constexpr std::uint32_t read_only = 0x06010002, no_such_object = 0x06020000,
                         no_such_subindex = 0x06090011, length_differs = 0x06070010,
                         not_in_this_state = 0x08000022;
@@ -28,10 +29,19 @@ CanopenDevice::CanopenDevice(const DeviceSetup& setup, std::uint32_t device_type
                                       : default_node),
       device_type_(device_type),
       on_sync_(setup.config.sync),
-      next_heartbeat_(setup.boot) {}
+      tpdos_(tpdo_index, tpdo_mapping_index, first_tpdo + node_),
+      rpdos_(rpdo_index, rpdo_mapping_index, first_rpdo + node_),
+      next_heartbeat_(setup.boot) {
+  reset_pdos();
+}
+
+void CanopenDevice::reset_pdos() {
+  tpdos_.reset(on_sync_ ? CanopenPdos::on_each_sync : CanopenPdos::by_the_profile);
+  rpdos_.reset(CanopenPdos::by_the_profile);
+}
 
 std::optional<Stamp> CanopenDevice::deadline() const {
-  auto next = on_sync_ ? std::optional<Stamp>{} : SamplingDevice::deadline();
+  auto next = samples_by_time() ? SamplingDevice::deadline() : std::optional<Stamp>{};
   if (synced_) next = measurement::earlier(next, *synced_ + latency());
   return measurement::earlier(next, next_heartbeat_);
 }
@@ -39,15 +49,24 @@ std::optional<Stamp> CanopenDevice::deadline() const {
 void CanopenDevice::tick(Stamp now, Wire& out) {
   if (next_heartbeat_ && *next_heartbeat_ <= now) beat(now, out);
   if (synced_ && *synced_ + latency() <= now) {
+    by_sync_ = true;
     take(*synced_, out);
+    by_sync_ = false;
     synced_.reset();
   }
-  if (!on_sync_) SamplingDevice::tick(now, out);
+  if (samples_by_time()) SamplingDevice::tick(now, out);
 }
 
 void CanopenDevice::sample(Stamp at, Wire& out) {
   watch(at, out);
-  if (state_ == NodeState::operational) report(at, out);
+  if (state_ != NodeState::operational) return;
+  std::array<bool, CanopenPdos::most> goes{};
+  for (std::size_t i = 0; i < pdos().size(); ++i) {
+    const bool due = by_sync_ ? tpdos_.due_on_sync(i) : !tpdos_[i].is_synchronous();
+    goes[i] = due && tpdos_[i].is_on();
+  }
+  ChosenPdos chosen(out, tpdos_, goes);
+  report(at, chosen);
 }
 
 /// The first beat is the boot-up message. The node is then pre-operational until NMT starts it.
@@ -61,7 +80,7 @@ void CanopenDevice::beat(Stamp now, Wire& out) {
 void CanopenDevice::receive(const wire::CanFrame& frame, Stamp now, Wire& out) {
   if (state_ == NodeState::boot_up) return;
   if (const auto order = canopen::decode_nmt(frame)) return obey(*order, now, out);
-  if (on_sync_ && canopen::is_sync(frame)) synced_ = now;
+  if (canopen::is_sync(frame) && samples_on_sync()) synced_ = now;
   if (state_ == NodeState::stopped) return;
   if (const auto request = canopen::decode_sdo_request(frame)) {
     if (const auto* read = std::get_if<canopen::SdoRead>(&*request)) return serve(*read, out);
@@ -88,6 +107,9 @@ void CanopenDevice::obey(const canopen::Nmt& order, Stamp now, Wire& out) {
 void CanopenDevice::power_on(bool application, Stamp now, Wire& out) {
   if (application) reset_application(now);
   reset_communication();
+  const bool rested = !samples_by_time();
+  reset_pdos();
+  if (rested && samples_by_time()) go_on_at_whole_multiples(rate_hz(), now);
   heartbeat_period_ = power_on_heartbeat;
   state_ = NodeState::boot_up;
   beat(now, out);
@@ -101,7 +123,8 @@ std::optional<CanopenDevice::Object> CanopenDevice::find(const canopen::ObjectEn
   }
   if (entry == canopen::ObjectEntry{identity_index, 0}) return Object{1, 1};
   if (entry == canopen::ObjectEntry{identity_index, 1}) return Object{0, 4};  // no real product
-  if (const auto found = pdo_object(entry)) return found;
+  for (const auto& found : {tpdos_.read(entry, pdos()), rpdos_.read(entry, taken_pdos())})
+    if (found) return Object{found->value, found->size};
   return object(entry);
 }
 
@@ -112,22 +135,13 @@ std::uint32_t CanopenDevice::missing(const canopen::ObjectEntry& entry) const {
   return no_such_object;
 }
 
-std::optional<CanopenDevice::Object> CanopenDevice::pdo_object(
-    const canopen::ObjectEntry& entry) const {
-  const unsigned place = entry.index & 0xFF, group = entry.index & 0xFF00;
-  if ((group != pdo_index && group != mapping_index) || place >= pdos().size()) return {};
-  const Mapping mapping = pdos()[place];
-  if (group == mapping_index) {
-    if (entry.subindex == 0) return Object{static_cast<std::uint32_t>(mapping.size()), 1};
-    if (entry.subindex > mapping.size()) return {};
-    return Object{mapping[entry.subindex - 1u], 4};
-  }
-  switch (entry.subindex) {
-    case 0: return Object{2, 1};
-    case 1: return Object{canopen::tpdo_id(place + 1, node_), 4};
-    case 2: return Object{on_sync_ ? on_each_sync : by_the_profile, 1};
-    default: return {};
-  }
+/// A node that sampled on SYNC alone begins to sample by its own time from now on.
+std::optional<std::uint32_t> CanopenDevice::set_pdo(const canopen::SdoWrite& request, Stamp now) {
+  const bool rested = !samples_by_time();
+  auto code = tpdos_.write(request, pdos());
+  if (!code) code = rpdos_.write(request, taken_pdos());
+  if (rested && samples_by_time()) go_on_at_whole_multiples(rate_hz(), now);
+  return code;
 }
 
 void CanopenDevice::serve(const canopen::SdoRead& request, Wire& out) const {
@@ -142,7 +156,7 @@ void CanopenDevice::serve(const canopen::SdoRead& request, Wire& out) const {
 
 void CanopenDevice::serve(const canopen::SdoWrite& request, Stamp now, Wire& out) {
   if (request.node != node_) return;
-  if (const auto code = refusal_of(request, now)) {
+  if (const auto code = refusal_of(request, now, out)) {
     out.send(canopen::encode(canopen::SdoAbort{node_, request.entry, *code}));
   } else {
     out.send(canopen::encode(canopen::SdoWritten{node_, request.entry}));
@@ -150,11 +164,12 @@ void CanopenDevice::serve(const canopen::SdoWrite& request, Stamp now, Wire& out
 }
 
 /// Sets the object; empty: it is set.
-std::optional<std::uint32_t> CanopenDevice::refusal_of(const canopen::SdoWrite& request,
-                                                       Stamp now) {
+std::optional<std::uint32_t> CanopenDevice::refusal_of(const canopen::SdoWrite& request, Stamp now,
+                                                       Wire& out) {
   if (condition().under(FaultKind::nak)) return not_in_this_state;
   if (request.entry != heartbeat_entry) {
-    const auto code = set(request);
+    auto code = set_pdo(request, now);
+    if (!code) code = set(request, now, out);
     if (!code) return find(request.entry) ? read_only : missing(request.entry);
     return *code == 0 ? std::nullopt : code;
   }

@@ -19,13 +19,13 @@ constexpr std::uint32_t servo_drive = 0x00020192;  // device type: CiA 402, serv
 constexpr std::uint16_t heartbeat_lost = 0x8130;   // emergency code of CiA 301
 constexpr std::uint8_t communication_error = 0x11;
 constexpr std::uint32_t wrong_length = 0x06070010, beyond_range = 0x06090030;
-constexpr std::uint32_t rpdo_follows_at_once = 0xFE;
 
 constexpr std::array<std::uint32_t, 2> position_sent{0x60410010, 0x60640020},
     velocity_sent{0x60410010, 0x606C0020}, position_taken{0x60400010, 0x607A0020},
     velocity_taken{0x60400010, 0x60FF0020};
 using Mappings = std::array<std::span<const std::uint32_t>, 1>;
-constexpr Mappings sent_by_position{position_sent}, sent_by_velocity{velocity_sent};
+constexpr Mappings sent_by_position{position_sent}, sent_by_velocity{velocity_sent},
+    taken_by_position{position_taken}, taken_by_velocity{velocity_taken};
 
 /// Moves the actuator whose number is the configured instance. Surfaces are positioned; a propeller
 /// and a thruster have a velocity.
@@ -69,7 +69,7 @@ class Cia402Drive final : public CanopenDevice {
     if (const auto beat = canopen::decode_heartbeat(frame)) {
       if (beat->node == watched_ >> 16) master_heard_at_ = now;
     } else if (const auto order = cia402::decode_order(frame)) {
-      if (!is_operational() || order->node != node()) return;
+      if (!is_operational() || order->node != node() || !takes_pdo(0)) return;
       target_ = order->target;
       take(order->control_word, now, out);
     }
@@ -110,14 +110,27 @@ class Cia402Drive final : public CanopenDevice {
     target_ = 0;
   }
 
-  std::optional<std::uint32_t> set(const canopen::SdoWrite& request) override {
+  std::optional<std::uint32_t> set(const canopen::SdoWrite& request, Stamp now,
+                                   Wire& out) override {
     const auto takes = [&](std::uint8_t size) { return request.size == size ? 0 : wrong_length; };
     const auto [index, subindex] = request.entry;
     if (index == cia402::consumer_heartbeat_index && subindex == 1) {
       if (takes(4) == 0) watched_ = request.value;
       return takes(4);
     }
-    if (index != cia402::mode_index || subindex != 0) return {};
+    if (subindex != 0) return {};
+    if (index == cia402::control_word_index) {
+      if (takes(2) == 0) take(static_cast<std::uint16_t>(request.value), now, out);
+      return takes(2);
+    }
+    if (index == (turns() ? cia402::target_velocity_index : cia402::target_position_index)) {
+      if (takes(4) == 0) {
+        target_ = static_cast<std::int32_t>(request.value);
+        take(word_, now, out);
+      }
+      return takes(4);
+    }
+    if (index != cia402::mode_index) return {};
     if (takes(1) != 0) return takes(1);
     if (request.value != static_cast<std::uint32_t>(mode_)) return beyond_range;
     shown_mode_ = mode_;
@@ -145,29 +158,26 @@ class Cia402Drive final : public CanopenDevice {
     return element(entry);
   }
 
-  /// RPDO1 and the arrays.
+  /// The arrays.
   std::optional<Object> element(const canopen::ObjectEntry& entry) const {
-    constexpr std::uint16_t rpdo_index = 0x1400, rpdo_mapping_index = 0x1600;
     const auto of = [&](auto... values) -> std::optional<Object> {
       const std::array<Object, sizeof...(values)> all{values...};
       if (entry.subindex >= all.size()) return {};
       return all.at(entry.subindex);
     };
-    const auto& taken = turns() ? velocity_taken : position_taken;
     switch (entry.index) {
       case cia402::consumer_heartbeat_index: return of(Object{1, 1}, Object{watched_, 4});
       case cia402::encoder_index:
         return of(Object{2, 1}, Object{cia402::increments_per_turn, 4}, Object{1, 4});
-      case rpdo_index:
-        return of(Object{2, 1}, Object{cia402::rpdo1_base + node(), 4},
-                  Object{rpdo_follows_at_once, 1});
-      case rpdo_mapping_index: return of(Object{2, 1}, Object{taken[0], 4}, Object{taken[1], 4});
       default: return {};
     }
   }
 
   std::span<const Mapping> pdos() const override {
     return turns() ? sent_by_velocity : sent_by_position;
+  }
+  std::span<const Mapping> taken_pdos() const override {
+    return turns() ? taken_by_velocity : taken_by_position;
   }
 
   bool turns() const { return actuator_.turns(); }
