@@ -32,6 +32,9 @@ std::size_t encode_comms(const PortTraffic& traffic, std::span<std::uint8_t> out
   const auto ours = payload.subspan(head + block * uart1, block);
   store_le<std::uint32_t>(ours, 4, traffic.bytes_out);
   store_le<std::uint32_t>(ours, 12, traffic.bytes_in);
+  constexpr std::uint8_t little_used = 1;  // percent of a buffer
+  if (traffic.bytes_out > 0) ours[8] = ours[9] = little_used;
+  if (traffic.bytes_in > 0) ours[16] = ours[17] = little_used;
   store_le<std::uint16_t>(ours, 20, traffic.ubx_in);
   store_le<std::uint16_t>(ours, 22, traffic.nmea_in);
   store_le<std::uint32_t>(ours, 36, traffic.bytes_skipped);

@@ -50,6 +50,8 @@ TEST(UbloxClients, AnF9TellsByMonCommsWhichPortTheHostIsAt) {
     const bool ours = ports.back() == 0x0100;
     EXPECT_EQ(u32(first, at + 4) > 0, ours) << "bytes sent";
     EXPECT_EQ(u32(first, at + 12), ours ? 8u : 0u) << "bytes received: this poll";
+    for (const std::size_t usage : {8u, 9u, 16u, 17u})
+      EXPECT_EQ(first[at + usage] > 0, ours) << "percent of a buffer at " << usage;
   }
   EXPECT_THAT(ports, ElementsAre(0x0000, 0x0100, 0x0201, 0x0300, 0x0400));
   const Frame second = answer_to(host, mon_comms);
