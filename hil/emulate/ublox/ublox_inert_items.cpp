@@ -77,7 +77,6 @@ constexpr auto unsent = std::to_array<MessageFacts>({
     {0x0134, 0x20910010},              // NAV-ORB
     {0x0101, 0x20910024},              // NAV-POSECEF
     {0x0111, 0x2091003D},              // NAV-VELECEF
-    {0x0121, 0x2091005B},              // NAV-TIMEUTC
     {0x0126, 0x20910060},              // NAV-TIMELS
     {0x0122, 0x20910065},              // NAV-CLOCK
     {0x0132, 0x2091006A},              // NAV-SBAS

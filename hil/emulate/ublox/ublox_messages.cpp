@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/wire/bytes.hpp"
+#include "drivers/wire/ubx/ubx_put.hpp"
 #include "estimators/frame/geodetic.hpp"
 
 namespace drydock::emulate::ublox {
@@ -172,6 +174,30 @@ wire::NavTimeGps nav_timegps(const GnssEpoch& epoch) {
   m.leap_seconds = static_cast<int>(epoch.leap_seconds.count());
   m.time_accuracy_s = time_accuracy_s;
   return m;
+}
+
+std::size_t encode_utc(const GnssEpoch& epoch, std::span<std::uint8_t> out) {
+  constexpr std::uint8_t valid_by_usno = 0x37;
+  constexpr std::uint32_t unknown_accuracy = 0xFFFFFFFF;
+  const auto payload = wire::ubx::payload_in(out, 20);
+  if (payload.empty()) return 0;
+  wire::store_le<std::uint32_t>(payload, 0, static_cast<std::uint32_t>(epoch.time_of_week.count()));
+  wire::store_le<std::uint32_t>(payload, 4, unknown_accuracy);
+  if (epoch.time_is_known) {
+    const std::chrono::hh_mm_ss time(std::chrono::nanoseconds(epoch.time_of_day));
+    const auto to_byte = [](auto value) { return static_cast<std::uint8_t>(value); };
+    wire::store_le<std::uint32_t>(payload, 4, static_cast<std::uint32_t>(time_accuracy_s * 1e9));
+    wire::store_le<std::int32_t>(payload, 8, static_cast<std::int32_t>(time.subseconds().count()));
+    wire::store_le<std::uint16_t>(payload, 12,
+                                  static_cast<std::uint16_t>(static_cast<int>(epoch.date.year())));
+    payload[14] = to_byte(static_cast<unsigned>(epoch.date.month()));
+    payload[15] = to_byte(static_cast<unsigned>(epoch.date.day()));
+    payload[16] = to_byte(time.hours().count());
+    payload[17] = to_byte(time.minutes().count());
+    payload[18] = to_byte(time.seconds().count());
+    payload[19] = valid_by_usno;
+  }
+  return wire::ubx::wrap(out, nav_timeutc, payload.size());
 }
 
 }  // namespace drydock::emulate::ublox

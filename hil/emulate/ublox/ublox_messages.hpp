@@ -15,6 +15,10 @@ wire::NavPosllh nav_posllh(const GnssEpoch& epoch);
 wire::NavVelned nav_velned(const GnssEpoch& epoch);
 wire::NavDop nav_dop(const GnssEpoch& epoch);
 wire::NavTimeGps nav_timegps(const GnssEpoch& epoch);
+
+/// NAV-TIMEUTC as a whole frame; returns its bytes, 0 if `out` is too small.
+inline constexpr std::uint16_t nav_timeutc = 0x0121;
+std::size_t encode_utc(const GnssEpoch& epoch, std::span<std::uint8_t> out);
 wire::NavSvinfo nav_svinfo(const GnssEpoch& epoch);
 
 }  // namespace drydock::emulate::ublox

@@ -87,6 +87,7 @@ class UbxGnss final : public SamplingDevice, private ublox::Owner {
       case wire::NavTimeGps::class_and_id: return send(ublox::nav_timegps(epoch_), out);
       case wire::NavSvinfo::class_and_id: return send(ublox::nav_svinfo(epoch_), out);
       case wire::NavEoe::class_and_id: return send(wire::NavEoe{epoch_.time_of_week}, out);
+      case ublox::nav_timeutc: return put_out(ublox::encode_utc(epoch_, bytes_), out);
       case ubx::mon_hw: return put_out(ublox::encode_hardware(bytes_), out);
       case ubx::mon_hw2: return put_out(ublox::encode_hardware_2(bytes_), out);
       case ublox::mon_rf: return put_out(ublox::encode_radio(bytes_), out);

@@ -126,6 +126,22 @@ TEST(UbloxClients, AnF9ForgetsAllItWasToldByTheWildcardOfAllKeys) {
               ElementsAre(1, 0, 0, 0, 1, 0, 0x21, 0x30, 0xE8, 0x03));
 }
 
+/// NAV-TIMEUTC, from which Altus Metrum's driver and older ones take the time: 22:13:20.5 UTC.
+TEST(UbloxClients, BothModelsTellTheTimeInUtc) {
+  for (const auto model : {UbloxModel::m8, UbloxModel::f9}) {
+    UbloxHost host(model, 2);
+    EXPECT_TRUE(host.acknowledges(ubx::cfg_msg, {0x01, 0x21, 1}));
+    host.listen(0.9);
+    EXPECT_EQ(host.count(0x0121), 2u);
+    const Frame time = answer_to(host, 0x0121);
+    ASSERT_EQ(time.size(), 20u);
+    EXPECT_EQ(u32(time, 0) % 1000, 500u) << "time of week, ms";
+    EXPECT_EQ(u32(time, 8), 500'000'000u) << "ns";
+    EXPECT_THAT(Frame(time.begin() + 12, time.end()),
+                ElementsAre(0xE7, 0x07, 11, 14, 22, 13, 20, 0x37));
+  }
+}
+
 /// Settings that real receivers of both kinds take, poll and length as in the documents. A host
 /// that is refused one gives up: the ROS driver ends with "Failed to configure NMEA" or "PPP".
 class UbloxTakes : public testing::TestWithParam<UbloxModel> {};
