@@ -30,6 +30,9 @@ class MixingAccuracy {
   /// The gyro bias (rad/s) and the error of the vertical (rad) may have changed by these sigmas.
   void loosen(double gyro_bias_sigma, double vertical_sigma);
 
+  /// The attitude may have changed by this sigma, rad.
+  void loosen_attitude(double sigma) { p_(0, 0) += sigma * sigma; }
+
   /// Variance of pitch, rad2. The variance of roll is this divided by cos2(pitch).
   double variance() const { return p_(0, 0); }
 

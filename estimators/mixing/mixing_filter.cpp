@@ -45,14 +45,28 @@ MixingFilter::MixingFilter(const MixingOptions& options)
       gains_(options.type == MixingType::fixed_gain ? options.fixed : gains_of_level(1)) {}
 
 void MixingFilter::start(const Vector3d& force, const Vector3d& rate, double speed) {
+  if (options_.accelerometer_start) {
+    start_by_accelerometers(force, rate, speed);
+    settling_left_s_ = options_.settling_s;
+    return;
+  }
   roll_.set(options_.initial_roll_rad);
   pitch_.set(options_.initial_pitch_rad);
   settling_left_s_ = 0;
-  if (options_.accelerometer_start) {  // eq. (5)
-    settling_left_s_ = options_.settling_s;
-    pitch_.set(std::clamp(arcsine(force.x() / gravity_), -steepest, steepest));
-    roll_.set(arcsine((rate.z() * speed - force.y()) / (gravity_ * pitch_.cosine())));
-  }
+  forget(rate, speed);
+}
+
+// Eq. (5). A vehicle on its way may accelerate, and in the settling only the compensated type does
+// not take that for a tilt.
+void MixingFilter::start_by_accelerometers(const Vector3d& force, const Vector3d& rate,
+                                           double speed) {
+  settling_left_s_ = options_.type == MixingType::compensated ? options_.settling_s : 0;
+  pitch_.set(std::clamp(arcsine(force.x() / gravity_), -steepest, steepest));
+  roll_.set(arcsine((rate.z() * speed - force.y()) / (gravity_ * pitch_.cosine())));
+  forget(rate, speed);
+}
+
+void MixingFilter::forget(const Vector3d& rate, double speed) {
   integral_.setZero();
   slow_rate_.setZero();
   slow_force_.setZero();

@@ -52,9 +52,12 @@ class MixingFilter {
  public:
   explicit MixingFilter(const MixingOptions& options);
 
-  /// Starts or restarts with the attitude that the options say. The heading is kept.
+  /// Starts with the attitude that the options say. The heading is kept.
   void start(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
              double speed_mps);
+  /// Starts with the attitude of the first specific force, whatever the options say.
+  void start_by_accelerometers(const Eigen::Vector3d& specific_force,
+                               const Eigen::Vector3d& angular_rate, double speed_mps);
 
   /// One step of `dt` seconds with constant inputs (m/s2 and rad/s, body; m/s ahead).
   void step(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
@@ -72,6 +75,7 @@ class MixingFilter {
  private:
   struct Motion;
 
+  void forget(const Eigen::Vector3d& angular_rate, double speed_mps);
   void discretise(double dt);
   // Only step() calls what is inline here, so they stand in its file.
   inline Motion observe(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,

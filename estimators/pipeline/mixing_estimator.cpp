@@ -8,6 +8,10 @@ namespace drydock::pipeline {
 
 namespace {
 
+/// 1 sigma of the acceleration of a vehicle that starts again on its way. Chosen; the same as where
+/// no device tells a velocity in docs/estimators/consistency.md.
+constexpr double manoeuvre_mps2 = 0.5;
+
 std::optional<GroundWitness> witness_of(const MixingOptions& options) {
   if (!options.ground) return {};
   return GroundWitness(
@@ -37,6 +41,13 @@ MixingEstimator::MixingEstimator(Seat seat, const MixingOptions& options,
 void MixingEstimator::start(const measurement::ImuSample& sample, double speed_mps) {
   filter_.start(sample.specific_force, sample.angular_rate, speed_mps);
   accuracy_.start(filter_.options().accelerometer_start);
+  speed_mps_ = speed_mps;
+}
+
+void MixingEstimator::start_again(const measurement::ImuSample& sample, double speed_mps, double) {
+  filter_.start_by_accelerometers(sample.specific_force, sample.angular_rate, speed_mps);
+  accuracy_.start(true);
+  accuracy_.loosen_attitude(manoeuvre_mps2 / units::standard_gravity);
   speed_mps_ = speed_mps;
 }
 

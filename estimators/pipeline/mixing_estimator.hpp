@@ -14,6 +14,9 @@ class MixingEstimator final : public ImuDrivenEstimator {
 
  private:
   void start(const measurement::ImuSample& sample, double speed_mps) override;
+  void start_again(const measurement::ImuSample& sample, double speed_mps,
+                   double silent_s) override;
+  bool blind() const override { return true; }
   void loosen_biases(double rate_sigma, double force_sigma) override;
   void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) override;
   Correction correct(double speed_mps, bool) override {

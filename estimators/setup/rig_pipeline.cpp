@@ -54,9 +54,11 @@ std::vector<std::string> pipeline_notes(const rig_config::Rig& rig,
           "{}: {} samples and {} steps of \"{}\" that no vehicle can cause, none of them followed",
           rig.estimators[i].name, status.wild, status.steps, rig.estimators[i].imu));
     if (status.restarts > 0)
-      notes.push_back(fmt::format(
-          "{}: started again {} times, after a silence of its IMU or a clock that was set back",
-          rig.estimators[i].name, status.restarts));
+      notes.push_back(
+          fmt::format("{}: started again {} times, after a silence or a fault of its IMU, or a "
+                      "clock that was set "
+                      "back",
+                      rig.estimators[i].name, status.restarts));
     if (status.divergences > 0)
       notes.push_back(
           fmt::format("{}: started again {} times, because its innovations contradicted it",

@@ -66,6 +66,16 @@ Outcome ImuDrivenEstimator::take(const ImuSample& sample, EstimateListener& list
   return Outcome::accepted;
 }
 
+void ImuDrivenEstimator::doubt(std::uint16_t device, bool doubted) {
+  if (device != imu_) return;
+  const bool over = imu_doubted_ && !doubted;
+  imu_doubted_ = doubted;
+  if (!over || !blind() || !running()) return;
+  ++status_.restarts;
+  start_over({});
+  stopped_at_ = last_->origin.valid_at;
+}
+
 void ImuDrivenEstimator::use(const ImuSample& sample, EstimateListener& listener) {
   if (running()) {
     go_on(sample);

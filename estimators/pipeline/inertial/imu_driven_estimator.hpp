@@ -27,9 +27,7 @@ class ImuDrivenEstimator : public Estimator {
   Outcome take(const measurement::WaterSpeed& speed, EstimateListener& listener) final;
   Outcome take(const measurement::BottomVelocity& track, EstimateListener& listener) final;
   const EstimatorStatus& status() const final { return status_; }
-  void doubt(std::uint16_t device, bool doubted) final {
-    if (device == imu_) imu_doubted_ = doubted;
-  }
+  void doubt(std::uint16_t device, bool doubted) final;
 
  protected:
   struct Correction {
@@ -59,6 +57,8 @@ class ImuDrivenEstimator : public Estimator {
   /// True if the innovations contradict the filter's covariance, of the motion or of the log.
   virtual bool contradicted() const { return false; }
   virtual bool log_contradicted() const { return false; }
+  /// True if nothing tells the filter how wrong it is. Then it starts again behind a fault.
+  virtual bool blind() const { return false; }
   /// Begins to judge the innovations anew.
   virtual void forget_innovations() {}
   /// The log has contradicted for so long that it is believed: it has changed by this much, m/s.

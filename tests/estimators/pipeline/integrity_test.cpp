@@ -172,6 +172,39 @@ TEST_P(EveryAttitude, IsNotValidWhileItsImuIsSilentOrGivesNoNumbers) {
   }
 }
 
+// A bias of 1 deg/s for 30 s tilts a loop by up to 30 degrees, and the loop keeps what a
+// manoeuvre could have caused. Given the first attitude, it is not that of the new start.
+TEST(Mixing, BeginsAnewWhenAFindingAboutItsImuIsOver) {
+  for (const bool given : {false, true}) {
+    auto kind = mixing_kind();
+    std::get<MixingOptions>(kind).filter.accelerometer_start = !given;
+    std::get<MixingOptions>(kind).filter.initial_roll_rad = given ? 20 * one_degree : 0;
+    Ahead bench(kind);
+    bench.run(60);
+    for (int i = 0; i <= 100; ++i) {  // it creeps in, so that no sample is wild
+      bench.rate_error.x() = 0.01 * one_degree * i;
+      bench.run(0.1);
+    }
+    bench.pipeline->doubt(imu_device, true);
+    bench.run(20);
+    for (int i = 100; i >= 0; --i) {
+      bench.rate_error.x() = 0.01 * one_degree * i;
+      bench.run(0.1);
+    }
+    EXPECT_GT(bench.tilt(), 3 * one_degree);
+    bench.pipeline->doubt(imu_device, false);
+    for (int i = 0; i < 300; ++i) {
+      bench.run(0.1);
+      const auto& last = bench.estimates.all.back();
+      if (!last.integrity.valid) continue;
+      ASSERT_LT(std::abs(last.roll_rad), 5 * std::sqrt(last.covariance(0, 0))) << i;
+    }
+    EXPECT_TRUE(bench.valid());
+    EXPECT_LT(bench.tilt(), 0.5 * one_degree);
+    EXPECT_EQ(bench.status().restarts, 1u);
+  }
+}
+
 // A bias of 1 mg tilts a filter of six states by 0.0573 degrees, whatever its innovations say.
 TEST(Leveling, OfSixStatesCountsTheBiasOfItsAccelerometersInItsCovariance) {
   Ahead bench(leveling_kind());
