@@ -127,7 +127,7 @@ void expect_every_state_is_named(KernelSlcan& slcan) {
                                    {"sp096130", "error-passive: more than 127 frames sent"},
                                    {"sa000000", "error-active again"}}) {
     slcan.say(line);
-    EXPECT_TRUE(bench.until([&] { return says(bench, text); }))
+    EXPECT_TRUE(bench.until([&, said = text] { return says(bench, said); }))
         << line << ": " << bench.health().last_error.view();
     EXPECT_EQ(bench.health().error_frames, ++told) << line;
   }
