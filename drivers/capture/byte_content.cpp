@@ -47,8 +47,8 @@ std::string ByteContent::note() const {
   const std::string_view are = stamps_.timed_lines() == 0 ? "were left out"
                                : stamps_.whole_seconds()  ? "are their times, in whole seconds"
                                                           : "are their times";
-  return fmt::format("a logger's stamps around {} sentences {} (format=raw keeps them)",
-                     stamps_.lines(), are);
+  return fmt::format("a logger's stamps around {} {} {} (format=raw keeps them)", stamps_.lines(),
+                     stamps_.kind() == TextLine::sentence ? "sentences" : "lines", are);
 }
 
 std::span<const SentenceStamps::Timed> ByteContent::times() const {

@@ -13,23 +13,13 @@ using std::chrono::nanoseconds;
 using wire::Bytes;
 
 bool ends_line(std::uint8_t byte) { return byte == '\r' || byte == '\n'; }
-bool begins_sentence(std::uint8_t byte) { return byte == '$' || byte == '!'; }
 bool is_text(std::uint8_t byte) { return byte == '\t' || (byte >= 0x20 && byte < 0x7F); }
 
-std::optional<unsigned> digit(char c) {
-  constexpr std::string_view upper = "0123456789ABCDEF", lower = "0123456789abcdef";
-  const auto at = std::min(upper.find(c), lower.find(c));
-  return at == upper.npos ? std::nullopt : std::optional(static_cast<unsigned>(at));
-}
-
-/// `$...*hh` with a right checksum at the front of the text, which nothing but a mark follows.
-bool is_sentence(std::string_view text) {
-  const auto star = text.find('*');
-  if (star == text.npos || star + 3 > text.size() || star + 4 < text.size()) return false;
-  const auto high = digit(text[star + 1]), low = digit(text[star + 2]);
-  unsigned sum = 0;
-  for (const char c : text.substr(1, star - 1)) sum ^= static_cast<std::uint8_t>(c);
-  return high && low && sum == *high * 16 + *low;
+/// Of the first begin of such a line in the text; the text's size: there is none.
+std::size_t begin_in(std::string_view text, TextLine kind) {
+  for (std::size_t end = 1; end <= text.size(); ++end)
+    if (const std::size_t size = begin_behind(text.substr(0, end), kind)) return end - size;
+  return text.size();
 }
 
 /// `$PUHAW,UVH,...` without a checksum, behind a time: the name and the time show what is what.
@@ -47,41 +37,74 @@ enum class Line : std::uint8_t { other, bare, stamped, tagged };
 
 Line kind_of(Bytes line) {
   if (!std::ranges::all_of(line, is_text)) return Line::other;
-  const auto start = std::ranges::find_if(line, begins_sentence);
-  const auto at = static_cast<std::size_t>(start - line.begin());
-  if (start == line.end()) return Line::other;
+  const std::size_t at = begin_in(wire::as_text(line), TextLine::sentence);
+  if (at == line.size()) return Line::other;
   const std::string_view before = wire::as_text(line.first(at)),
                          text = wire::as_text(line.subspan(at));
-  if (!is_sentence(text)) return is_named_behind_time(before, text) ? Line::stamped : Line::other;
+  if (!is_whole(text, TextLine::sentence))
+    return is_named_behind_time(before, text) ? Line::stamped : Line::other;
   if (at == 0) return Line::bare;
   return line[0] == '\\' ? Line::tagged : Line::stamped;
 }
+
+bool is_behind_time(Bytes line, TextLine kind) {
+  if (!std::ranges::all_of(line, is_text)) return false;
+  const auto text = wire::as_text(line);
+  const std::size_t at = begin_in(text, kind);
+  return at < text.size() && is_whole(text.substr(at), kind) &&
+         logger_time(text.substr(0, at)).has_value();
+}
+
+/// Calls with each whole line of the text that is not empty.
+template <typename Action>
+void for_each_line(Bytes text, const Action& action) {
+  while (true) {
+    const auto end = std::ranges::find_if(text, ends_line);
+    if (end == text.end()) return;  // the last line is not whole
+    const auto size = static_cast<std::size_t>(end - text.begin());
+    if (size > 0) action(text.first(size));
+    text = text.subspan(size + 1);
+  }
+}
+
+bool nearly_all(std::size_t some, std::size_t lines) { return 10 * some >= 9 * lines; }
 
 }  // namespace
 
 std::optional<SentenceFront> front_of_sentences(Bytes text) {
   constexpr std::size_t fewest = 3;
   std::size_t lines = 0, stamped = 0, tagged = 0;
-  while (true) {
-    const auto end = std::ranges::find_if(text, ends_line);
-    if (end == text.end()) break;  // the last line is not whole
-    const auto size = static_cast<std::size_t>(end - text.begin());
-    if (size > 0) {
-      ++lines;
-      stamped += kind_of(text.first(size)) == Line::stamped;
-      tagged += kind_of(text.first(size)) == Line::tagged;
-    }
-    text = text.subspan(size + 1);
-  }
+  for_each_line(text, [&](Bytes line) {
+    const Line kind = kind_of(line);
+    ++lines;
+    stamped += kind == Line::stamped;
+    tagged += kind == Line::tagged;
+  });
   if (lines < fewest) return {};
-  if (10 * stamped >= 9 * lines) return SentenceFront::stamp;
+  if (nearly_all(stamped, lines)) return SentenceFront::stamp;
   // Of a group of sentences only the first one has a TAG block.
   return 4 * tagged >= lines ? SentenceFront::tag_block : SentenceFront::nothing;
 }
 
+void SentenceStamps::decide(Bytes block) {
+  front_ = front_of_sentences(block);
+  if (front_ != SentenceFront::nothing) return;
+  for (const TextLine kind : {TextLine::water_linked, TextLine::pd6, TextLine::json}) {
+    std::size_t lines = 0, stamped = 0;
+    for_each_line(block, [&](Bytes line) {
+      ++lines;
+      stamped += is_behind_time(line, kind);
+    });
+    if (!nearly_all(stamped, lines)) continue;
+    front_ = SentenceFront::stamp;
+    kind_ = kind;
+    return;
+  }
+}
+
 Bytes SentenceStamps::without(Bytes block) {
   times_.clear();
-  if (!front_) front_ = front_of_sentences(block);
+  if (!front_) decide(block);
   if (front_.value_or(SentenceFront::nothing) == SentenceFront::nothing) return block;
   bytes_.clear();
   for (const std::uint8_t byte : block) take(byte);
@@ -112,6 +135,20 @@ void SentenceStamps::end_line() {
   behind_star_ = 0;
 }
 
+/// Its first characters are the last ones of what came before it.
+void SentenceStamps::begin_sentence(std::size_t begin) {
+  const std::vector<std::uint8_t> first(before_.end() - static_cast<std::ptrdiff_t>(begin),
+                                        before_.end());
+  before_.resize(before_.size() - begin);
+  read_time();
+  if (front_ == SentenceFront::tag_block)
+    bytes_.insert(bytes_.end(), before_.begin(), before_.end());
+  lines_ += front_ == SentenceFront::stamp && !before_.empty();
+  before_.clear();
+  bytes_.insert(bytes_.end(), first.begin(), first.end());
+  in_sentence_ = true;
+}
+
 void SentenceStamps::take(std::uint8_t byte) {
   constexpr std::size_t longest_stamp = 256;
   if (ends_line(byte)) {
@@ -120,23 +157,18 @@ void SentenceStamps::take(std::uint8_t byte) {
     if (byte == '\n' && last_) times_.push_back({bytes_.size(), *last_});
     return;
   }
-  if (!in_sentence_ && begins_sentence(byte)) {
-    read_time();
-    if (front_ == SentenceFront::tag_block)
-      bytes_.insert(bytes_.end(), before_.begin(), before_.end());
-    lines_ += front_ == SentenceFront::stamp && !before_.empty();
-    before_.clear();
-    in_sentence_ = true;
-  }
   if (!in_sentence_) {
     before_.push_back(byte);
-    if (before_.size() <= longest_stamp) return;
-    bytes_.insert(bytes_.end(), before_.begin(), before_.end());
-    before_.clear();
+    if (const std::size_t begin = begin_behind(wire::as_text(before_), kind_)) {
+      begin_sentence(begin);
+    } else if (before_.size() > longest_stamp) {
+      bytes_.insert(bytes_.end(), before_.begin(), before_.end());
+      before_.clear();
+    }
     return;
   }
   constexpr unsigned checksum = 3;  // *hh
-  if (behind_star_ > 0 || byte == '*') ++behind_star_;
+  if (has_checksum(kind_) && (behind_star_ > 0 || byte == '*')) ++behind_star_;
   const bool is_mark = front_ == SentenceFront::stamp && behind_star_ > checksum;
   if (!is_mark) bytes_.push_back(byte);
 }

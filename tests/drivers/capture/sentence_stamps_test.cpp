@@ -105,6 +105,49 @@ TEST(SentenceStamps, OfTagBlocksAreTimesAndStayInTheirSentences) {
   EXPECT_EQ(times_in(text), (std::vector<long>{0, 0, 900, 900}));
 }
 
+/// `wrx` lines are of Water Linked's protocol page, with their checksums; those of PD6 are of a
+/// DVL's firmware test on GitHub. Neither sends a clock in each line, so the logger's time is all.
+TEST(SentenceStamps, AreTimesOfTheTextLinesOfADvlToo) {
+  const std::vector<std::vector<std::string>> dvls{
+      {"wrx,112.83,0.007,0.017,0.006,0.000,0.93,y,0*d2",
+       "wrx,140.43,0.008,0.021,0.012,0.000,0.92,y,0*b7",
+       "wrx,118.47,0.009,0.020,0.013,0.000,0.92,y,0*54"},
+      {":SA,-5.89,+4.33,0.00", ":BI,-32768,-32768,-32768,-32768,V",
+       ":BD,+0.00,+0.00,+0.00,0.00,0.00"},
+      {R"({"vx":0.5,"note":"a*b","type":"velocity"})", R"({"vx":0.6,"type":"velocity"})",
+       R"({"vx":0.7,"type":"velocity"})"}};
+  const std::vector<std::string> stamps{"[2023-05-05 10:11:01.000] ", "[2023-05-05 10:11:01.250] ",
+                                        "[2023-05-05 10:11:02.000] "};
+  for (const auto& dvl : dvls) {
+    std::string logged, said;
+    for (std::size_t line = 0; line < dvl.size(); ++line) {
+      logged += stamps[line] + dvl[line] + "\r\n";
+      said += dvl[line] + "\r\n";
+    }
+    EXPECT_EQ(without(logged), said);
+    EXPECT_EQ(times_in(logged), (std::vector<long>{0, 250, 1000})) << dvl[0];
+    EXPECT_EQ(without(said), said);
+    ByteContent content(false);
+    content.of(as_bytes(logged));
+    EXPECT_EQ(content.note(),
+              "a logger's stamps around 3 lines are their times (format=raw keeps them)");
+  }
+}
+
+/// A number in front that is no time may belong to the line.
+TEST(SentenceStamps, OfTextLinesAreTimesOrTheyStay) {
+  std::string text;
+  for (const std::string line : {"1 :SA,1,2,3", "2 :SA,1,2,3", "3 :SA,1,2,3"})
+    text += line + "\r\n";
+  EXPECT_EQ(without(text), text);
+}
+
+/// A logger may write JSON around a sentence: this is what is read.
+TEST(SentenceStamps, InJsonAreOfTheSentenceInIt) {
+  EXPECT_EQ(without(four_lines(R"({"t":"2023-12-31T23:59:30.100Z","raw":")", "\"")),
+            four_lines("", ""));
+}
+
 TEST(SentenceStamps, OfACaptureAreTold) {
   const std::string text = four_lines("12:00:00 ", "");
   ByteContent content(false), raw(true);
