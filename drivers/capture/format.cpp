@@ -4,6 +4,7 @@
 #include <array>
 
 #include "drivers/capture/formats/actisense_ascii.hpp"
+#include "drivers/capture/formats/busmaster.hpp"
 #include "drivers/capture/formats/canboat_plain.hpp"
 #include "drivers/capture/formats/candump_log.hpp"
 #include "drivers/capture/formats/candump_screen.hpp"
@@ -59,7 +60,7 @@ constexpr std::array all{
     text_format<CandumpLog>(),   text_format<CandumpScreen>(), text_format<VectorAsc>(),
     text_format<PcanTrc>(),      text_format<CanboatPlain>(),  text_format<ActisenseAscii>(),
     text_format<YachtDevices>(), text_format<Ikonvert>(),      text_format<SavvyCan>(),
-    text_format<PythonCan>()};
+    text_format<PythonCan>(),    text_format<Busmaster>()};
 
 }  // namespace
 

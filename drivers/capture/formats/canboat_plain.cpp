@@ -1,5 +1,7 @@
 #include "drivers/capture/formats/canboat_plain.hpp"
 
+#include <algorithm>
+
 #include "drivers/capture/words.hpp"
 #include "drivers/wire/text_fields.hpp"
 
@@ -32,11 +34,22 @@ bool read_address(wire::TextFields& fields, wire::j1939::Identifier& id, std::si
   return true;
 }
 
+/// Without what a Signal K server writes in front, its time in milliseconds and the kind of the
+/// line: `1731371761185;A;`
+std::string_view without_mark(std::string_view line) {
+  const std::size_t digits = std::min(line.find_first_not_of("0123456789"), line.size());
+  const std::string_view behind = line.substr(digits);
+  const bool marked = digits >= 10 && behind.size() > 3 && behind[0] == ';' && behind[2] == ';';
+  return marked ? behind.substr(3) : line;
+}
+
 std::optional<N2kMessage> parse(std::string_view line) {
-  wire::TextFields fields(line);
+  wire::TextFields fields(without_mark(line));
   N2kMessage message;
-  message.time = parse_stamp(fields.text());
-  if (!message.time || !read_address(fields, message.id, message.size)) return std::nullopt;
+  const std::string_view stamp = fields.text();
+  message.time = parse_stamp(stamp);
+  if (!message.time && !stamp.empty()) return std::nullopt;
+  if (!read_address(fields, message.id, message.size)) return std::nullopt;
   for (std::size_t i = 0; i < message.size; ++i) {
     const auto byte = parse_number(fields.text(), 16);
     if (!byte || *byte > 255) return std::nullopt;

@@ -41,6 +41,15 @@ TEST(AscFile, StatisticsAndStatesAndTransportProtocolsAreNoFrames) {
   EXPECT_EQ(outcome.damaged, 0u);
 }
 
+// A line of can-utils' asc2log. A frame of CAN XL has no place in a CAN FD frame, so it is counted.
+TEST(AscFile, AFrameOfCanXlIsCountedAsNotUnderstood) {
+  const Outcome outcome = read_capture(
+      asc_head + std::string("  59.171614 CANXL   2 Rx   XLFF   984438   4656      432  msg e0 0 "
+                             "1fe  511 1 1f96 00 00000000 e1 89 e8 c2\n"));
+  EXPECT_TRUE(outcome.records.empty());
+  EXPECT_EQ(outcome.damaged, 1u);
+}
+
 TEST(AscFile, TheDateOfItsHeadIsTheTimeOfItsStart) {
   const std::string line = "   1.500000 1  123x            Rx   d 1 68\n";
   const auto time = [&](const std::string& date) {

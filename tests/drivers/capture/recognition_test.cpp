@@ -61,7 +61,8 @@ TEST(UnknownFile, IsToldTheFormatsThatAreKnown) {
   EXPECT_EQ(
       unknown_format_text("dive.log", FrameCapture()),
       "dive.log: no CAN capture of a known format; known are: pcap, pcapng, blf, candump-log, "
-      "candump-screen, asc, trc, canboat, actisense, ydwg, ikonvert, savvycan, python-can");
+      "candump-screen, asc, trc, canboat, actisense, ydwg, ikonvert, savvycan, python-can, "
+      "busmaster");
 }
 
 TEST(Recognition, WaitsForTheFirstWholeLine) {

@@ -31,6 +31,20 @@ TEST(CanboatFile, AMessagePutTogetherBecomesItsFastPacketAgain) {
   EXPECT_EQ(whole->data[42], 0x00);
 }
 
+// What `canboat convert --to plain` makes of a dump without times (canboatjs' test data), and a
+// line of a Signal K server's raw log (its issue 1829).
+TEST(CanboatFile, ALineMayHaveNoTimeOrTheMarkOfASignalKServer) {
+  const Outcome timeless = read_capture(",7,60416,33,255,8,20,0c,00,02,ff,45,ff,01\n");
+  ASSERT_EQ(timeless.records.size(), 1u);
+  EXPECT_FALSE(timeless.records[0].time);
+  EXPECT_EQ(wire::j1939::parse_identifier(timeless.records[0].frame.id).source, 33);
+  const Outcome marked = read_capture(
+      "1731371761281;A;2024-11-12T00:36:01.281Z,6,127508,2,255,8,00,f7,04,ff,7f,ff,ff,ff\n");
+  ASSERT_EQ(marked.records.size(), 1u);
+  EXPECT_EQ(marked.records[0].time, 1731371761281ms);
+  EXPECT_EQ(wire::j1939::parse_identifier(marked.records[0].frame.id).pgn, 127508u);
+}
+
 /// Lines 7 and 20 of canboat's pgn-test.in, shortened; its pgn-test.out has the second as a list of
 /// PGNs (7 bytes).
 TEST(CanboatFile, BehindAnAssembledMessageAShortOneOfAFastPacketIsWholeToo) {
