@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <vector>
 
 #include "drivers/guess/binary_guess.hpp"
+#include "drivers/guess/doubts.hpp"
 #include "drivers/guess/guess_counters.hpp"
 #include "drivers/guess/guess_messages.hpp"
 #include "drivers/guess/header_sum.hpp"
@@ -16,12 +19,17 @@ using wire::Bytes;
 
 std::string order_of(bool big_endian) { return big_endian ? ", order = \"big\"" : ""; }
 
-std::string field_text(const Guessed& one) {
-  if (one.looks == Guessed::Looks::counter)
-    return fmt::format(
-        "  {{ at = {}, type = \"{}\", name = \"counter_{}\"{} }},{}\n", one.at, one.type, one.at,
-        order_of(one.big_endian),
-        one.size > 1 ? fmt::format("  # {:.10g} to {:.10g}", one.low, one.high) : "");
+std::string counter_text(const Guessed& one, const std::vector<Guessed>& all) {
+  std::string note;
+  if (one.size > 1) note = fmt::format("  # {:.10g} to {:.10g}", one.low, one.high);
+  if (const auto at = wider_counter_at(one, all))
+    note += fmt::format("; or u32 at {}, of which two bytes never changed", *at);
+  return fmt::format("  {{ at = {}, type = \"{}\", name = \"counter_{}\"{} }},{}\n", one.at,
+                     one.type, one.at, order_of(one.big_endian), note);
+}
+
+std::string field_text(const Guessed& one, const std::vector<Guessed>& all) {
+  if (one.looks == Guessed::Looks::counter) return counter_text(one, all);
   return fmt::format("  {{ at = {}, type = \"{}\", name = \"at_{}\"{} }},  # {:.6g} to {:.6g}\n",
                      one.at, one.type, one.at, order_of(one.big_endian), one.low, one.high);
 }
@@ -59,7 +67,8 @@ class FieldList {
       known.push_back(*guess_.sum->at + i);
     if (header_)
       for (std::size_t i = 0; i < header_->checksum.size(); ++i) known.push_back(header_->at + i);
-    for (const Guessed& one : fields(known, kind_.shortest - tail)) add(one);
+    const std::vector<Guessed> all = fields(known, kind_.shortest - tail);
+    for (const Guessed& one : all) add(one, all);
     end_constants();
     if (left_out_ > 0) text_ += fmt::format("  # and {} more that change\n", left_out_);
     if (kind_.longest > kind_.shortest)
@@ -96,13 +105,13 @@ class FieldList {
     }
   }
 
-  void add(const Guessed& one) {
+  void add(const Guessed& one, const std::vector<Guessed>& all) {
     if (one.looks == Guessed::Looks::constant) return add_constant(one);
     end_constants();
     if (fields_ == wire::described::most_fields)
       ++left_out_;
     else
-      text_ += field_text(one), ++fields_;
+      text_ += field_text(one, all), ++fields_;
   }
 
   void add_constant(const Guessed& one) {
@@ -172,7 +181,8 @@ std::string explained_text(const BinaryGuess& guess, std::size_t capture_bytes) 
 
 std::string protocol_text(const BinaryGuess& guess, const MessageGuesses& kinds,
                           std::size_t capture_bytes, const std::optional<HeaderSum>& header) {
-  std::string text = "\n[protocol]\n" + explained_text(guess, capture_bytes);
+  std::string text =
+      "\n[protocol]\n" + explained_text(guess, capture_bytes) + doubt_text(guess, kinds);
   constexpr std::size_t usual = 1024;
   const auto longest = std::ranges::max(kinds.all, {}, &MessageGuess::longest).longest;
   if (longest > usual) text += fmt::format("longest = {}\n", wire::described::longest_frame);
