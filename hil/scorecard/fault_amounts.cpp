@@ -120,7 +120,8 @@ rig_config::FaultConfig scaled(const rig_config::FaultConfig& fault, double time
   const double least = quantity ? -most : word.lowest;
   const double usual = std::stod(fault.words.substr(equals + 2));
   const double none = word.amount == "times" ? 1 : 0;
-  const double amount = std::clamp(none + times * (usual - none), least, most);
+  double amount = std::clamp(none + times * (usual - none), least, most);
+  if (word.amount == "bytes") amount = std::round(amount);
   const auto key = fault.words.substr(comma + 2, equals - comma - 2);
   DeviceConfig device;
   device.name = fault.device;

@@ -74,6 +74,14 @@ TEST(Pairs, WithThreeTimesTheAmountKeepTheirLimits) {
   EXPECT_EQ(drop.words, "dvl: drop, probability = 1");
 }
 
+TEST(Pairs, WithAFractionOfTheAmountHaveWholeBytesAndAtLeastOne) {
+  const auto bytes = [](double times) {
+    return scaled(fault_named(demo(), {}, "dvl:garbage"), times).words;
+  };
+  EXPECT_EQ(bytes(0.61).substr(0, 24), "dvl: garbage, bytes = 10") << "of 16";
+  EXPECT_EQ(bytes(0.01).substr(0, 23), "dvl: garbage, bytes = 1");
+}
+
 TEST(Recording, ThatGoesOnFromASharedBeginningIsTheRunAlone) {
   const Window shortest{.warm_up_s = 5, .fault_s = 5, .after_s = 5};
   auto rig = demo();
