@@ -10,6 +10,7 @@ namespace drydock::described::test {
 namespace conformance_test {
 
 using namespace wire::testing;
+using wire::testing::operator+;  // surveyed_buses.hpp has one of frames, which hides it
 using wire::Bytes;
 
 struct Seen {

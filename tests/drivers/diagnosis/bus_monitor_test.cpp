@@ -1,56 +1,12 @@
-#include "drivers/diagnosis/monitors/bus_monitor.hpp"
-
 #include <gtest/gtest.h>
 
 #include <deque>
 #include <random>
 
 #include "drivers/wire/can/can_bits.hpp"
-#include "drivers/wire/j1939/j1939.hpp"
-#include "tests/drivers/diagnosis/signs.hpp"
+#include "tests/drivers/diagnosis/bus_that_is_watched.hpp"
 
 namespace drydock::diagnosis::bus_monitor_test {
-
-constexpr std::uint16_t depth = 0, rudder = 1;
-
-wire::CanFrame frame_of(std::uint32_t id, bool extended, std::uint8_t size = 8) {
-  wire::CanFrame frame;
-  frame.id = id;
-  frame.extended = extended;
-  frame.size = size;
-  return frame;
-}
-
-/// Two nodes of NMEA 2000 at 250 kbit/s, ten frames a second each, 40 s long.
-struct BusThatIsWatched : testing::Test {
-  BusThatIsWatched() {
-    for (int i = 0; i < 400; ++i) tenth();
-  }
-  static Expected node(std::uint16_t device, std::uint8_t address) {
-    Expected expected{.device = device, .nominal_rate_hz = 10};
-    expected.protocol.travels = wire::Travels::as_frames;
-    expected.protocol.network = wire::Network::j1939;
-    expected.address = address;
-    return expected;
-  }
-  static std::uint32_t id(std::uint32_t pgn, std::uint8_t source) {
-    return wire::j1939::make_identifier({.pgn = pgn, .source = source});
-  }
-  void take(wire::CanFrame frame, double after_s = 0) {
-    frame.data[0] = ++count;
-    monitor.take(frame, at_s(now + after_s));
-  }
-  void tenth() {
-    now += 0.1;
-    take(frame_of(id(127'257, 35), true));
-    take(frame_of(id(127'245, 36), true), 0.001);
-    monitor.look(at_s(now + 0.002));
-  }
-  Signs signs;
-  BusMonitor monitor{{node(depth, 35), node(rudder, 36)}, signs};
-  double now = 0;
-  std::uint8_t count = 0;
-};
 
 TEST_F(BusThatIsWatched, HasNoSignWhileItIsSound) {
   for (int i = 0; i < 10'000; ++i) tenth();
@@ -240,57 +196,6 @@ TEST_F(BusThatIsWatched, IsOffUntilAFrameComes) {
   signs.all.clear();
   tenth();
   EXPECT_FALSE(signs.has(Sign::bus_off));
-}
-
-TEST_F(BusThatIsWatched, HasAnAddressWithTwoOwners) {
-  const auto claim = [&](std::uint8_t name) {
-    wire::CanFrame frame = frame_of(id(wire::j1939::address_claim_pgn | 0xFF, 35), true);
-    frame.data[7] = name;
-    monitor.take(frame, at_s(now));
-  };
-  claim(0xC0);
-  tenth();
-  EXPECT_FALSE(signs.has(Sign::address_taken));
-  claim(0x80);
-  tenth();
-  EXPECT_TRUE(signs.has(Sign::address_taken, depth));
-  EXPECT_FALSE(signs.has(Sign::address_taken, rudder));
-}
-
-// J1939-81: who loses his address claims another, and sends from there.
-TEST_F(BusThatIsWatched, LaysFramesFromNewAddressesToTheNodeWhoseAddressIsTaken) {
-  for (const std::uint8_t name : {0xC0, 0x80}) {
-    wire::CanFrame claim = frame_of(id(wire::j1939::address_claim_pgn | 0xFF, 35), true);
-    claim.data[0] = name;
-    monitor.take(claim, at_s(now + 0.01));
-  }
-  for (const std::uint8_t address : {128, 129, 130, 131}) {
-    now += 0.1;
-    take(frame_of(id(127'257, address), true));
-    take(frame_of(id(127'245, 36), true), 0.001);  // right behind them, by chance
-    monitor.look(at_s(now + 0.002));
-  }
-  EXPECT_TRUE(signs.has(Sign::address_taken, depth));
-  EXPECT_FALSE(signs.has(Sign::strange_frames, rudder));
-}
-
-/// A rig need not state the address of its only node; a claim of an address from which nobody sends
-/// data is not about it.
-TEST_F(BusThatIsWatched, HasTwoOwnersOfAnAddressThatTheRigDoesNotState) {
-  BusMonitor alone{{node(depth, 0)}, signs};
-  const auto claim = [&](std::uint8_t address, std::uint8_t name) {
-    wire::CanFrame frame = frame_of(id(wire::j1939::address_claim_pgn | 0xFF, address), true);
-    frame.data[7] = name;
-    alone.take(frame, at_s(now));
-    alone.look(at_s(now));
-  };
-  claim(35, 0xC0);
-  alone.take(frame_of(id(127'257, 35), true), at_s(now));
-  claim(90, 0xC0);
-  claim(90, 0x80);
-  EXPECT_FALSE(signs.has(Sign::address_taken));
-  claim(35, 0x80);
-  EXPECT_TRUE(signs.has(Sign::address_taken, depth));
 }
 
 /// Two rudders at one address: every other frame comes right behind the one before it.

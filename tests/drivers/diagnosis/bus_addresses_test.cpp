@@ -1,0 +1,57 @@
+#include "tests/drivers/diagnosis/bus_that_is_watched.hpp"
+
+/// Two nodes of a bus that claim one address.
+namespace drydock::diagnosis::bus_addresses_test {
+
+TEST_F(BusThatIsWatched, HasAnAddressWithTwoOwners) {
+  const auto claim = [&](std::uint8_t name) {
+    wire::CanFrame frame = frame_of(id(wire::j1939::address_claim_pgn | 0xFF, 35), true);
+    frame.data[7] = name;
+    monitor.take(frame, at_s(now));
+  };
+  claim(0xC0);
+  tenth();
+  EXPECT_FALSE(signs.has(Sign::address_taken));
+  claim(0x80);
+  tenth();
+  EXPECT_TRUE(signs.has(Sign::address_taken, depth));
+  EXPECT_FALSE(signs.has(Sign::address_taken, rudder));
+}
+
+// J1939-81: who loses his address claims another, and sends from there.
+TEST_F(BusThatIsWatched, LaysFramesFromNewAddressesToTheNodeWhoseAddressIsTaken) {
+  for (const std::uint8_t name : {0xC0, 0x80}) {
+    wire::CanFrame claim = frame_of(id(wire::j1939::address_claim_pgn | 0xFF, 35), true);
+    claim.data[0] = name;
+    monitor.take(claim, at_s(now + 0.01));
+  }
+  for (const std::uint8_t address : {128, 129, 130, 131}) {
+    now += 0.1;
+    take(frame_of(id(127'257, address), true));
+    take(frame_of(id(127'245, 36), true), 0.001);  // right behind them, by chance
+    monitor.look(at_s(now + 0.002));
+  }
+  EXPECT_TRUE(signs.has(Sign::address_taken, depth));
+  EXPECT_FALSE(signs.has(Sign::strange_frames, rudder));
+}
+
+/// A rig need not state the address of its only node; a claim of an address from which nobody sends
+/// data is not about it.
+TEST_F(BusThatIsWatched, HasTwoOwnersOfAnAddressThatTheRigDoesNotState) {
+  BusMonitor alone{{node(depth, 0)}, signs};
+  const auto claim = [&](std::uint8_t address, std::uint8_t name) {
+    wire::CanFrame frame = frame_of(id(wire::j1939::address_claim_pgn | 0xFF, address), true);
+    frame.data[7] = name;
+    alone.take(frame, at_s(now));
+    alone.look(at_s(now));
+  };
+  claim(35, 0xC0);
+  alone.take(frame_of(id(127'257, 35), true), at_s(now));
+  claim(90, 0xC0);
+  claim(90, 0x80);
+  EXPECT_FALSE(signs.has(Sign::address_taken));
+  claim(35, 0x80);
+  EXPECT_TRUE(signs.has(Sign::address_taken, depth));
+}
+
+}  // namespace drydock::diagnosis::bus_addresses_test
