@@ -99,7 +99,7 @@ Reading VectorAsc::read_line(std::string_view line) {
   since_ = relative_ ? since_ + *time : *time;
   const std::string_view word = words.next();
   if (word == "CANFD") return fast(words);
-  if (word == "CANXL") return Reading::damage();  // a frame that nothing here can express
+  if (word == "CANXL") return Reading::damage();           // a frame that nothing here can express
   if (!parse_number(word, 10)) return Reading::nothing();  // "Start of measurement", "CAN 1 Status"
   if (words.peek() == "ErrorFrame") return in_channel(word, unspecified_error());
   return classic(word, words);
