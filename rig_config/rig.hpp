@@ -111,7 +111,7 @@ struct DeviceConfig {
   DvlMaker maker = DvlMaker::teledyne;            ///< kind dvl, PD4 and PD6
   std::optional<double> beam_angle_rad;           ///< kind dvl, PD4 and PD5 in beam coordinates
   std::optional<bool> levelled;                   ///< kind dvl, ship axes; empty: as the DVL says
-  std::optional<bool> velocity_of_bed;            ///< kind dvl, Wayfinder; empty: not known
+  std::optional<bool> velocity_of_bed;            ///< kind dvl, Wayfinder, AD2CP; empty: not known
   SoundSpeedConfig sound_speed;                   ///< kind dvl
   std::optional<WaterLinkedConfig> water_linked;  ///< kind dvl, Water Linked
   UbloxConfig ublox;                              ///< kind gnss, UBX

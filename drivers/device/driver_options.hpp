@@ -76,7 +76,8 @@ struct DvlOptions {
   std::optional<double> beam_angle_rad;  ///< from the vertical; for protocols that do not give it
   /// Ship axes: true if the velocities come levelled with pitch and roll. Empty: as the DVL says.
   std::optional<bool> levelled;
-  std::optional<bool> velocity_of_bed;  ///< Wayfinder: it sends the bed's motion; empty: not known
+  /// Wayfinder and AD2CP: true if it sends the bed's motion, not the vehicle's. Empty: not known.
+  std::optional<bool> velocity_of_bed;
   SoundSpeedOptions sound_speed;
   std::optional<WaterLinkedSettings> water_linked;  ///< empty: the driver only listens
 };
