@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+
+#include "drivers/wire/utf8.hpp"
 
 namespace drydock::text {
 
@@ -32,20 +35,32 @@ char* put_character_of_text(char* at, char c) {
   return at;
 }
 
+bool is_utf8(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const std::size_t size = wire::utf8_at_front(bytes);
+    if (size == 0) return false;
+    bytes.remove_prefix(size);
+  }
+  return true;
+}
+
 }  // namespace
 
 char* JsonWriter::put(char* at, std::string_view text) {
   if (text.empty()) return null(at);
   at = out_.room(at, 6 * text.size() + 2);
   *at++ = '"';
-  // Text on the wire is ASCII. Any other byte becomes its Latin-1 character, so that the line stays
-  // valid JSON.
+  // A text that is UTF-8 is nothing else: German, French or a degree sign in Latin-1 is no UTF-8.
+  // In any other text a byte becomes its Latin-1 character, so that the line stays valid JSON.
+  std::optional<bool> utf8;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if (plain[byte])
+    if (plain[byte]) {
       *at++ = c;
-    else
-      at = byte < 0x80 ? put_character_of_text(at, c) : put_escaped(at, byte);
+      continue;
+    }
+    if (byte >= 0x80 && !utf8) utf8 = is_utf8(text);
+    at = byte < 0x80 || *utf8 ? put_character_of_text(at, c) : put_escaped(at, byte);
   }
   *at++ = '"';
   return at;
