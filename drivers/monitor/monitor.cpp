@@ -15,6 +15,7 @@
 #include "drivers/link/reading.hpp"
 #include "drivers/monitor/monitor_wire.hpp"
 #include "drivers/monitor/places_cursor.hpp"
+#include "drivers/probe/typed_link.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/text/json_lines.hpp"
 #include "drivers/wire/described/described_codec.hpp"
@@ -184,7 +185,7 @@ int watch(asio::io_context& io, Link& open_link, Screen& screen, double duration
 }  // namespace
 
 int monitor_messages(const MonitorOptions& options) {
-  const auto uri = link::parse_uri(options.link);
+  const auto uri = link::parse_uri(probe::typed_link(options.link));
   if (!uri) {
     fmt::print(stderr, "monitor: {}\n", uri.error().message);
     return terminal::exit_usage;

@@ -91,6 +91,15 @@ TEST(Mistakes, AFileThatIsNotThereIsComparedWithThoseThatAre) {
   });
 }
 
+/// A file by its path, a port by its name.
+TEST(Mistakes, AMessageMonitorTakesThePortsThatAProbeTakes) {
+  expect_told({
+      {"monitor fixtures/pd0/golden.pd0 --protocol pd4 --for 1s", 1, "1268 skipped"},
+      {"monitor ttyUSB0 --protocol pd0 --for 1s", 2, "serial needs a baud rate"},
+      {"monitor /dev/ttyUSB0 --protocol pd0 --for 1s", 2, "serial needs a baud rate"},
+  });
+}
+
 TEST(Mistakes, AProbeForASensorOfNoKindSaysWhoReadsIt) {
   const Folder folder;
   const std::string file = (folder / "any.toml").string();
