@@ -10,7 +10,7 @@ const frd = ({ x, y, z }) => [x, -y, -z];
 
 const kinds = {
   'sensor_msgs/msg/Imu': (n, t, m) => {
-    show(`${n}: angular rate`, 'rad/s', ['forward', 'starboard', 'down'], t, frd(m.angular_velocity), axes.body);
+    show(`${n}: angular rate`, 'deg/s', ['forward', 'starboard', 'down'], t, frd(m.angular_velocity).map((x) => x / degree), axes.body);
     show(`${n}: specific force`, 'm/s²', ['forward', 'starboard', 'down'], t, frd(m.linear_acceleration), axes.body);
   },
   'drydock/msg/BottomTrack': (n, t, m) => {

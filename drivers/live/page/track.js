@@ -47,7 +47,6 @@ export class Track extends Drawing {
     const scale = 1 / Math.max(1.1 * (north[1] - north[0]) / tall, 1.1 * (east[1] - east[0]) / wide, 10 / tall);
     const x = (e) => left + wide / 2 + (e - (east[0] + east[1]) / 2) * scale;
     const y = (n) => rim + tall / 2 - (n - (north[0] + north[1]) / 2) * scale;
-    this.scaleBar(pen, scale, wide);
     this.placeOf = (px, py) => ({ north: (north[0] + north[1]) / 2 - (py - rim - tall / 2) / scale, east: (east[0] + east[1]) / 2 + (px - left - wide / 2) / scale });
     this.grid(pen, { x, y, width, height, step: stepOf(tall / scale, 5), east: wide / scale, north: tall / scale, middle: [(north[0] + north[1]) / 2, (east[0] + east[1]) / 2] });
     for (const { colour, points } of this.paths.values()) {
@@ -59,6 +58,7 @@ export class Track extends Drawing {
       const [n, e] = points[points.length - 1];
       pen.beginPath(); pen.arc(x(e), y(n), 3.5, 0, 7); pen.fill();
     }
+    this.scaleBar(pen, scale, wide);
   }
   // The position under the pointer, otherwise that of the origin.
   tellPlace(px, py) {
@@ -74,7 +74,10 @@ export class Track extends Drawing {
     pen.strokeStyle = css('--text'); pen.fillStyle = css('--text'); pen.lineWidth = 2;
     pen.beginPath(); pen.moveTo(x, y - 4); pen.lineTo(x, y); pen.lineTo(x + length, y); pen.lineTo(x + length, y - 4); pen.stroke();
     pen.textAlign = 'left'; pen.textBaseline = 'middle';
-    pen.fillText(metres < 1000 ? `${metres} m` : `${metres / 1000} km`, x + length + 6, y - 2);
+    const words = metres < 1000 ? `${metres} m` : `${metres / 1000} km`;
+    pen.strokeStyle = css('--panel'); pen.lineWidth = 4; // no track runs through the number
+    pen.strokeText(words, x + length + 6, y - 2);
+    pen.fillText(words, x + length + 6, y - 2);
     pen.restore();
   }
   grid(pen, { x, y, width, height, step, east, north, middle }) {
