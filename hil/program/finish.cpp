@@ -15,12 +15,10 @@ namespace drydock::program {
 
 namespace {
 
+constexpr int took_again = -1;  ///< no number of errno
+
 /// Why standard output takes nothing more. The C library forgets it, so the kernel is asked again.
-std::string write_trouble() {
-  errno = 0;
-  const bool taken = ::write(STDOUT_FILENO, "\n", 1) == 1;
-  return taken ? "a part of it is missing" : std::strerror(errno);
-}
+int write_trouble() { return ::write(STDOUT_FILENO, "\n", 1) == 1 ? took_again : errno; }
 
 bool all_written() {
   std::cout.flush();
@@ -30,8 +28,10 @@ bool all_written() {
 }  // namespace
 
 int finish(int code) {
-  if (!all_written()) {
-    fmt::print(stderr, "drydock: standard output cannot be written: {}\n", write_trouble());
+  const int why = all_written() ? 0 : write_trouble();
+  if (why != 0 && why != EPIPE) {  // nobody misses the last lines behind `| head`
+    fmt::print(stderr, "drydock: standard output cannot be written: {}\n",
+               why == took_again ? "a part of it is missing" : std::strerror(why));
     if (code == terminal::exit_success) code = terminal::exit_failed;
   }
   const bool wrong_usage = code == terminal::exit_usage;

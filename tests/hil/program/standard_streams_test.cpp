@@ -29,6 +29,14 @@ TEST(StandardStreams, ClosedOrFullAreAFailureAndNoAbort) {
   EXPECT_EQ(exit_code_of("info " + dive + " <&- >/dev/null 2>&-"), 0);
 }
 
+/// The first line comes before the devices run, the last one when they have: `head` is gone then.
+TEST(StandardStreams, APipeThatIsClosedBeforeTheLastLineEndsACommandQuietly) {
+  const auto cut = drydock("--version; bash -c '" DRYDOCK_PROGRAM
+                           " emulate demo --for 2s | head -1; exit ${PIPESTATUS[0]}'");
+  EXPECT_EQ(cut.exit_code, 0);
+  EXPECT_THAT(cut.output, Not(HasSubstr("cannot be written")));
+}
+
 /// The first file that is opened would get the number of a closed stream, and its messages.
 TEST(StandardStreams, OfAClosedErrorStreamNothingIsWrittenIntoAFile) {
   const Folder folder;
