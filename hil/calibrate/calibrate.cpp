@@ -32,6 +32,10 @@ void write_rig(const Outcome& outcome, const CalibrateOptions& options, std::FIL
 
 int calibrate(const CalibrateOptions& options, std::FILE* out, std::FILE* err) {
   try {
+    if (std::filesystem::is_directory(options.write)) {
+      fmt::print(err, "calibrate: {} is a folder, not a file\n", options.write);
+      return terminal::exit_failed;
+    }
     if (!options.write.empty() && !options.overwrite && std::filesystem::exists(options.write)) {
       fmt::print(err, "calibrate: {} exists; --overwrite replaces it\n", options.write);
       return terminal::exit_failed;

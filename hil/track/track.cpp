@@ -21,6 +21,8 @@ std::optional<Format> wanted_format(const TrackOptions& options) {
   const auto format = format_of(name);
   if (!format)
     throw BadOptions(options.out + ": --as says the format: one of geojson, gpx, csv, mcap");
+  if (std::filesystem::is_directory(options.out))
+    throw std::runtime_error(options.out + " is a folder, not a file");
   if (!options.overwrite && std::filesystem::exists(options.out))
     throw std::runtime_error(options.out + " exists; --overwrite replaces it");
   return format;

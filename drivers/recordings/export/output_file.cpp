@@ -14,7 +14,10 @@ OutputFile::OutputFile(std::string path, bool overwrite) : path_(std::move(path)
 void OutputFile::fail() {
   const int why = errno;
   if (!error_.empty()) return;
-  error_ = path_ + ": " + std::strerror(why) + (why == EEXIST ? "; --overwrite replaces it" : "");
+  std::error_code gone;
+  const bool folder = std::filesystem::is_directory(path_, gone);
+  error_ = path_ + ": " + (folder ? "is a folder, not a file" : std::strerror(why)) +
+           (why == EEXIST && !folder ? "; --overwrite replaces it" : "");
 }
 
 void OutputFile::write(std::string_view text) {
@@ -33,8 +36,9 @@ void OutputFile::close() {
 OutputFile& OutputFolder::file(const std::string& name) {
   const auto known = files_.find(name);
   if (known != files_.end()) return known->second;
-  std::error_code ignored;  // the error from opening the file says more
-  std::filesystem::create_directories(folder_, ignored);
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (error) folder_error_ = folder_ + ": " + error.message();
   return files_.try_emplace(name, (std::filesystem::path(folder_) / name).string(), overwrite_)
       .first->second;
 }
@@ -44,6 +48,7 @@ void OutputFolder::close() {
 }
 
 std::string OutputFolder::error() const {
+  if (!folder_error_.empty()) return folder_error_;
   for (const auto& [name, file] : files_)
     if (!file.error().empty()) return file.error();
   return {};

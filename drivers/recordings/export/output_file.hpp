@@ -46,7 +46,7 @@ class OutputFolder {
   std::size_t size() const { return files_.size(); }
 
  private:
-  std::string folder_;
+  std::string folder_, folder_error_;
   bool overwrite_;
   std::map<std::string, OutputFile> files_;
 };

@@ -81,6 +81,8 @@ boost::system::result<Sink> file_sink(const std::string& path, bool overwrite, S
 
 std::string refused(const std::string& path, const boost::system::error_code& error) {
   if (error == is_link) return path + " is a symbolic link: name the file itself";
+  std::error_code gone;
+  if (std::filesystem::is_directory(path, gone)) return path + ": is a folder, not a file";
   const bool there = error == boost::system::errc::file_exists;
   return path + ": " + error.message() + (there ? "; --overwrite replaces it" : "");
 }

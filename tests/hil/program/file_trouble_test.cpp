@@ -14,6 +14,7 @@ namespace file_trouble_test {
 using program::drydock;
 using program::Folder;
 using testing::HasSubstr;
+using testing::Not;
 namespace fs = std::filesystem;
 
 const std::string dive = "fixtures/dives/dvl-finds-the-bottom/dive.mcap";
@@ -106,6 +107,28 @@ TEST(FileTrouble, WhatStandsThereIsNotReplacedUnasked) {
     EXPECT_EQ(refused.exit_code, 1) << command;
     EXPECT_THAT(refused.output, HasSubstr("--overwrite replaces it")) << command;
   }
+}
+
+TEST(FileTrouble, AFolderIsNotToBeReplacedByAFile) {
+  const Folder folder;
+  for (const std::string& command : std::vector<std::string>{
+           "cut " + dive + " -o ", "recover " + dive + " -o ",
+           "export " + dive + " --to pcapng -o ", "calibrate " + dive + " --write ",
+           "track " + dive + " --as csv -o ", "run demo --for 1s --speed max --record "}) {
+    const auto refused = drydock(command + (folder / "").string());
+    EXPECT_EQ(refused.exit_code, 1) << command;
+    EXPECT_THAT(refused.output, HasSubstr("is a folder, not a file")) << command;
+    EXPECT_THAT(refused.output, Not(HasSubstr("--overwrite"))) << command;
+  }
+}
+
+/// Without the right to make it, the folder is what cannot be written, not what is missing in it.
+TEST(FileTrouble, AFolderThatCannotBeMadeSaysWhy) {
+  const Folder folder;
+  fs::permissions(folder / "", fs::perms(0555));
+  const auto refused = as_nobody("export " + dive + " --to raw -o " + (folder / "raw").string());
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("raw: Permission denied"));
 }
 
 TEST(WrongUsage, OfANameThatTheRecordingDoesNotHaveIsTwo) {
