@@ -88,6 +88,8 @@ TEST_F(Pty, ItsPrivateFolderIsNoPlantedLinkAndNobodyElses) {
     ASSERT_EQ(::chown(place.c_str(), 12345, 12345), 0);
     EXPECT_THAT(refusal(), HasSubstr("belongs to another user"));
   }
+  ::setenv("XDG_RUNTIME_DIR", folder.file("nowhere").c_str(), 1);
+  EXPECT_THAT(refusal(), HasSubstr("No such file or directory; set XDG_RUNTIME_DIR to a folder"));
   ::unsetenv("XDG_RUNTIME_DIR");
 }
 
