@@ -5,11 +5,16 @@
 #include <string_view>
 #include <vector>
 
+#include "hil/score/column_name.hpp"
+
 namespace drydock::score {
 
 /// Columns of one kind, along three axes.
 using CsvGroup = std::array<const char*, 3>;
 inline constexpr std::array csv_times{"valid_at_ns", "t_s", "utc"};  ///< the first one counts
+/// Of others' files, where there is none of these; the first one counts.
+inline constexpr std::array csv_other_times{csv_second,       csv_nanosecond,   csv_stamp,
+                                            csv_milliseconds, csv_microseconds, csv_time};
 inline constexpr CsvGroup csv_geodetic{"latitude_deg", "longitude_deg", "height_m"};
 inline constexpr CsvGroup csv_local{"north_m", "east_m", "down_m"};
 inline constexpr CsvGroup csv_angles{"roll_deg", "pitch_deg", "heading_deg"};
@@ -25,40 +30,39 @@ inline constexpr CsvGroup csv_body_velocity_sigmas{"body_forward_sigma_mps", "bo
                                                    "body_down_sigma_mps"};
 inline constexpr std::array csv_quaternion{"qw", "qx", "qy", "qz"};
 
-/// Some programs of Windows begin a text with it.
-inline std::string_view without_byte_order_mark(std::string_view text) {
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
-  return text.substr(text.starts_with(mark) ? mark.size() : 0);
-}
-
-/// The cells of a line, without blanks and quotation marks.
-std::vector<std::string> csv_cells(std::string_view line);
+/// The same of axes east, north, up and of a body forward, left, up (REP-103).
+inline constexpr std::array csv_enu_quaternion{"enu_qw", "enu_qx", "enu_qy", "enu_qz"};
 
 /// The correlation of north and east, beside their standard deviations.
 inline constexpr const char* csv_correlation = "correlation_north_east";
 
-/// The first line of a CSV file: the names of its columns. `yaw_deg` is `heading_deg`, `altitude_m`
-/// is `height_m`, and the standard deviations may have the names of `drydock track`
-/// (`sigma_north_m`).
+/// The names of a CSV file's columns, also as other programs write them (column_name.hpp).
 class CsvHead {
  public:
-  explicit CsvHead(std::string_view line);
+  explicit CsvHead(std::vector<std::string> written);
 
-  std::size_t size() const { return names_.size(); }
+  std::size_t size() const { return columns_.size(); }
   bool has(std::string_view name) const;
   bool has_any(const CsvGroup& group) const;
   bool has_quaternion() const;
+  bool has_enu_quaternion() const;
   /// Latitude and longitude mean something only together.
   bool has_geodetic() const { return has(csv_geodetic[0]) && has(csv_geodetic[1]); }
   /// The place of a column that is there.
   std::size_t at(std::string_view name) const;
+  /// What its numbers are multiplied with.
+  double factor(std::string_view name) const { return columns_[at(name)].factor; }
   /// Why no estimates can be read; empty: they can.
   std::string misfit() const;
-  /// Columns that are passed over, because others of their group are not there.
-  std::vector<std::string> incomplete() const;
+  /// Columns that are passed over, because others of their group are not there, or nobody knows
+  /// their names; and how those were taken that leave it open.
+  std::vector<std::string> notes() const;
 
  private:
-  std::vector<std::string> names_;
+  std::vector<std::string> unknown() const;
+
+  std::vector<std::string> written_;
+  std::vector<Column> columns_;
 };
 
 }  // namespace drydock::score

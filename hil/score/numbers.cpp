@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <string>
+
+#include "drivers/text/utc.hpp"
 
 namespace drydock::score {
 namespace {
@@ -77,12 +80,28 @@ std::optional<measurement::Stamp> stamp_of(const std::optional<std::int64_t>& ns
 
 std::optional<double> number_of(std::string_view text) { return whole_text<double>(text); }
 
-std::optional<measurement::Stamp> stamp_of_seconds(std::string_view text) {
-  constexpr int digits_of_ns = 9;
+std::optional<measurement::Stamp> stamp_of_decimal(std::string_view text, int digits) {
   auto decimal = decimal_of(text);
   if (!decimal) return {};
-  decimal->point += digits_of_ns;
+  decimal->point += digits;
   return stamp_of(rounded(*decimal));
+}
+
+std::optional<measurement::Stamp> stamp_of_seconds(std::string_view text) {
+  return stamp_of_decimal(text, 9);
+}
+
+std::optional<measurement::Stamp> stamp_of_any(std::string_view text) {
+  if (text.find(':') != std::string_view::npos) {
+    std::string utc(text);
+    if (utc.size() > 10 && utc[10] == ' ') utc[10] = 'T';
+    if (utc.ends_with("+00:00")) utc.resize(utc.size() - 6);
+    return text::parse_utc(utc.ends_with('Z') ? utc : utc + 'Z');
+  }
+  const auto number = number_of(text);
+  if (!number) return {};
+  const double size = std::abs(*number);
+  return stamp_of_decimal(text, size < 1e11 ? 9 : size < 1e14 ? 6 : size < 1e17 ? 3 : 0);
 }
 
 std::optional<measurement::Stamp> stamp_of_nanoseconds(std::string_view text) {

@@ -9,7 +9,10 @@
 #include "drivers/text/printable.hpp"
 #include "drivers/text/utc.hpp"
 #include "hil/score/attitude.hpp"
+#include "hil/score/axes.hpp"
+#include "hil/score/csv_cells.hpp"
 #include "hil/score/csv_head.hpp"
+#include "hil/score/csv_start.hpp"
 #include "hil/score/geodetic_place.hpp"
 #include "hil/score/numbers.hpp"
 #include "hil/score/passed_over.hpp"
@@ -25,17 +28,30 @@ using namespace std::chrono_literals;
 constexpr std::array<std::chrono::microseconds, 3> same_time{0us, 1us, 1000us};
 constexpr double same_attitude_rad = 1e-3;
 
+/// A decimal comma is a point.
+void with_point(std::string& cell) { std::ranges::replace(cell, ',', '.'); }
+
+std::optional<measurement::Stamp> stamp_of_milliseconds(std::string_view text) {
+  return stamp_of_decimal(text, 6);
+}
+std::optional<measurement::Stamp> stamp_of_microseconds(std::string_view text) {
+  return stamp_of_decimal(text, 3);
+}
+
 class CsvReader {
  public:
-  CsvReader(const CsvHead& head, const frame::Position& origin) : head_(head), origin_(origin) {}
+  CsvReader(const CsvHead& head, const CsvStart& start, const frame::Position& origin)
+      : head_(head), start_(start), origin_(origin) {}
 
   /// Why the line cannot be one of a track; empty: it can.
   std::string read(const std::string& text, std::uint64_t number) {
     number_ = number;
-    cells_ = csv_cells(text);
+    cells_ = csv_cells(text, start_.separator);
+    if (start_.separator != ',')
+      for (auto& cell : cells_) with_point(cell);
     while (cells_.size() > head_.size() && cells_.back().empty()) cells_.pop_back();
     if (cells_.size() != head_.size()) {
-      note(fmt::format("not the {} cells of line 1, left out", head_.size()));
+      note(fmt::format("not the {} cells of line {}, left out", head_.size(), start_.line));
       return {};
     }
     State state;
@@ -57,7 +73,7 @@ class CsvReader {
   }
 
   Estimates result() {
-    out_.notes = head_.incomplete();
+    out_.notes = head_.notes();
     std::ranges::move(passed_over_.notes(), std::back_inserter(out_.notes));
     return std::move(out_);
   }
@@ -74,7 +90,7 @@ class CsvReader {
     constexpr double nobody = std::numeric_limits<double>::quiet_NaN();
     if (!head_.has(name) || cell(name).empty()) return nobody;
     const auto value = number_of(cell(name));
-    if (value && !std::isinf(*value)) return *value;
+    if (value && !std::isinf(*value)) return *value * head_.factor(name);
     refuse(fmt::format("{} = \"{}\" is no number", name, text::printable(cell(name))));
     return nobody;
   }
@@ -83,12 +99,10 @@ class CsvReader {
   }
 
   std::optional<measurement::Stamp> time() {
-    const auto told = [&](const char* name, const auto& parse) {
-      return head_.has(name) ? parse(cell(name)) : std::nullopt;
-    };
+    if (std::ranges::none_of(csv_times, [&](const char* name) { return head_.has(name); }))
+      return other_time();
     const std::array times{told(csv_times[0], stamp_of_nanoseconds),
-                           told(csv_times[1], stamp_of_seconds),
-                           told(csv_times[2], text::parse_utc)};
+                           told(csv_times[1], stamp_of_seconds), told(csv_times[2], stamp_of_any)};
     const auto first = static_cast<std::size_t>(
         std::ranges::find_if(csv_times, [&](const char* name) { return head_.has(name); }) -
         csv_times.begin());
@@ -102,6 +116,37 @@ class CsvReader {
         note(fmt::format("{} is not the time of {}, which is taken", csv_times[other],
                          csv_times[first]));
     return at;
+  }
+
+  /// As others write it: two columns of a message, or one of which the number tells the unit.
+  std::optional<measurement::Stamp> other_time() {
+    const bool in_parts = head_.has(csv_second) && head_.has(csv_nanosecond);
+    const std::array times{
+        std::pair{csv_second, in_parts ? told(csv_second, stamp_of_seconds) : std::nullopt},
+        std::pair{csv_stamp, told(csv_stamp, stamp_of_any)},
+        std::pair{csv_milliseconds, told(csv_milliseconds, stamp_of_milliseconds)},
+        std::pair{csv_microseconds, told(csv_microseconds, stamp_of_microseconds)},
+        std::pair{csv_time, told(csv_time, stamp_of_any)}};
+    const auto first = std::ranges::find_if(times, [&](const auto& time) {
+      return head_.has(time.first) && (time.first != csv_second || in_parts);
+    });
+    if (first == times.end()) {
+      refuse(fmt::format("{} needs {}", csv_nanosecond, csv_second));
+      return {};
+    }
+    auto at = first->second;
+    if (at && in_parts) {
+      const auto part = told(csv_nanosecond, stamp_of_nanoseconds);
+      at = part ? std::optional(*at + part->time_since_epoch()) : std::nullopt;
+    }
+    if (!at)
+      refuse(
+          fmt::format("{} = \"{}\" is no time", first->first, text::printable(cell(first->first))));
+    return at;
+  }
+  template <class Parse>
+  std::optional<measurement::Stamp> told(const char* name, const Parse& parse) {
+    return head_.has(name) ? parse(cell(name)) : std::nullopt;
   }
 
   /// Without a height the place is at that of the origin, and down is not told.
@@ -131,17 +176,19 @@ class CsvReader {
 
   Vector3d angles() {
     Vector3d told = three(csv_angles) * units::degree;
-    if (!head_.has_quaternion()) return told;
-    const Vector3d turned = angles_of_quaternion();
+    const bool enu = head_.has_enu_quaternion();
+    if (!enu && !head_.has_quaternion()) return told;
+    const Vector3d turned = angles_of_quaternion(enu ? csv_enu_quaternion : csv_quaternion, enu);
     if ((turns_between(told, turned).array().abs() > same_attitude_rad).any())
       note("qw, qx, qy, qz are not roll_deg, pitch_deg, heading_deg, which are taken");
     return told.array().isNaN().select(turned, told);
   }
 
-  Vector3d angles_of_quaternion() {
-    const Eigen::Quaterniond q(number("qw"), number("qx"), number("qy"), number("qz"));
+  Vector3d angles_of_quaternion(const std::array<const char*, 4>& names, bool enu) {
+    const Eigen::Quaterniond q(number(names[0]), number(names[1]), number(names[2]),
+                               number(names[3]));
     if (q.coeffs().hasNaN()) return untold();
-    if (std::abs(q.norm() - 1) < 0.01) return angles_of(q.normalized());
+    if (std::abs(q.norm() - 1) < 0.01) return angles_of(enu ? ned_of_enu(q) : q.normalized());
     note("the length of qw, qx, qy, qz is not 1, the attitude is left out");
     return untold();
   }
@@ -168,6 +215,7 @@ class CsvReader {
   }
 
   const CsvHead& head_;
+  const CsvStart& start_;
   const frame::Position& origin_;
   std::uint64_t number_ = 0;
   std::vector<std::string> cells_;
@@ -180,17 +228,21 @@ class CsvReader {
 
 boost::system::result<Estimates, Problem> read_csv(std::istream& in, const std::string& name,
                                                    const frame::Position& origin) {
-  std::string text;
-  std::getline(in, text);
-  const CsvHead head(without_byte_order_mark(text));
+  const CsvStart start = start_of_csv(in);
+  const CsvHead head(start.names);
   if (const auto wrong = head.misfit(); !wrong.empty())
-    return Problem{fmt::format("{}:1: {}", name, wrong)};
-  CsvReader reader(head, origin);
-  for (std::uint64_t number = 2; std::getline(in, text); ++number) {
-    if (text.empty() || text == "\r") continue;
-    if (const auto why = reader.read(text, number); !why.empty())
-      return Problem{fmt::format("{}:{}: {}", name, number, why)};
-  }
+    return Problem{fmt::format("{}:{}: {}", name, start.line, wrong)};
+  CsvReader reader(head, start, origin);
+  const auto read = [&](const std::string& text, std::uint64_t number) {
+    if (text.empty() || text == "\r" || text.starts_with('#')) return std::string{};
+    const auto why = reader.read(text, number);
+    return why.empty() ? why : fmt::format("{}:{}: {}", name, number, why);
+  };
+  std::uint64_t number = start.at;
+  if (auto why = read(start.first, number); !why.empty()) return Problem{why};
+  std::string text;
+  while (std::getline(in, text))
+    if (auto why = read(text, ++number); !why.empty()) return Problem{why};
   return reader.result();
 }
 

@@ -14,6 +14,16 @@ namespace drydock::score {
 /// problems.
 boost::system::result<Estimates, Problem> read_tum(std::istream& in, const std::string& name);
 
+/// Lines of 12 numbers, a 3 x 4 matrix by rows, from a camera (right, down, forward) to its first
+/// pose: north is taken to be ahead in that one. Their times are the lines of another file.
+boost::system::result<Estimates, Problem> read_kitti(std::istream& in, const std::string& name,
+                                                     const std::string& times_path);
+
+/// The points of a track (`trkpt`) that have a time. Their height (`ele`) is taken as one of
+/// WGS-84, as `drydock track` writes it.
+boost::system::result<Estimates, Problem> read_gpx(std::istream& in, const std::string& name,
+                                                   const frame::Position& origin);
+
 /// A first line with names of columns, in any order: csv_head.hpp has them. Needed are a time, and
 /// a column of a position, an attitude or a velocity. Places count from `origin`.
 boost::system::result<Estimates, Problem> read_csv(std::istream& in, const std::string& name,

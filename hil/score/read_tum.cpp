@@ -2,25 +2,21 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "hil/score/attitude.hpp"
 #include "hil/score/axes.hpp"
-#include "hil/score/csv_head.hpp"
+#include "hil/score/csv_cells.hpp"
 #include "hil/score/numbers.hpp"
 #include "hil/score/read_estimates.hpp"
+#include "hil/score/words_of.hpp"
 
 namespace drydock::score {
 namespace {
 
-std::vector<std::string> words_of(std::string_view line) {
-  std::istringstream in(std::string(line.substr(0, line.find('#'))));
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
-  return words;
-}
-
 boost::system::result<State, Problem> tum_pose(const std::vector<std::string>& words) {
+  if (words.size() == kitti_numbers)
+    return Problem{
+        "12 numbers are a pose of KITTI, without a time: give --format kitti --times FILE"};
   if (words.size() != 8) return Problem{"not t x y z qx qy qz qw"};
   const auto at = stamp_of_seconds(words[0]);
   const auto number = [&](std::size_t i) {

@@ -12,6 +12,7 @@
 #include "hil/score/read_estimates.hpp"
 #include "hil/score/read_truth.hpp"
 #include "hil/score/score_text.hpp"
+#include "hil/score/text_format.hpp"
 #include "rig_config/file_trouble.hpp"
 
 namespace drydock::score {
@@ -25,16 +26,23 @@ std::string ending_of(const std::string& path) {
 boost::system::result<Estimates, Problem> read_track(const ScoreOptions& options,
                                                      const frame::Position& origin) {
   const std::string& path = options.estimates;
-  const std::string format = options.format.empty() ? ending_of(path) : options.format;
+  std::string format = options.format.empty() ? ending_of(path) : options.format;
   if (format == "mcap") return read_mcap(path, options.topic, origin);
   if (!options.topic.empty())
     throw std::invalid_argument("--topic is of an MCAP file; other files have one track");
   if (const auto why = rig_config::file_trouble(path); !why.empty())
     return Problem{fmt::format("{}: {}", path, why)};
   std::ifstream file(path);
+  // Names that say no more than that it is text.
+  if (options.format.empty() && (format == "csv" || format == "txt")) format = format_of_text(file);
+  if (!options.times.empty() && format != "kitti")
+    throw std::invalid_argument("--times is of poses of KITTI; other files have times");
   if (format == "csv") return read_csv(file, path, origin);
-  if (format == "tum" || format == "txt") return read_tum(file, path);
-  throw std::invalid_argument(fmt::format("{}: give --format, allowed: csv, tum, mcap", path));
+  if (format == "tum") return read_tum(file, path);
+  if (format == "kitti") return read_kitti(file, path, options.times);
+  if (format == "gpx") return read_gpx(file, path, origin);
+  throw std::invalid_argument(
+      fmt::format("{}: give --format, allowed: csv, tum, kitti, gpx, mcap", path));
 }
 
 /// Why no estimate has a truth, where the times tell it; else empty.

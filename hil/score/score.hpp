@@ -9,8 +9,9 @@ namespace drydock::score {
 
 struct ScoreOptions {
   std::string estimates, truth;  ///< files
-  std::string format;            ///< "csv", "tum", "mcap"; empty: by the name of the file
-  std::string topic;             ///< of an MCAP file; empty: the only one with estimates
+  std::string format;  ///< "csv", "tum", "kitti", "gpx", "mcap"; empty: by the name of the file
+  std::string topic;   ///< of an MCAP file; empty: the only one with estimates
+  std::string times;   ///< a file of the times of a KITTI file's poses
   Alignment alignment = Alignment::none;
   double interval_s = 1, longest_gap_s = 0.2;
   bool json = false;

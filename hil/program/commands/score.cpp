@@ -38,11 +38,14 @@ void add_score(CLI::App& app, Command& command) {
   auto options = std::make_shared<score::ScoreOptions>();
   auto* sub = app.add_subcommand("score", "Anyone's estimates against the truth of a recording");
   sub->footer("Example: drydock score mine.csv --truth run.mcap --align yaw --json");
-  sub->add_option("ESTIMATES", options->estimates, "CSV, TUM or MCAP: docs/use/score.md")
+  sub->add_option("ESTIMATES", options->estimates,
+                  "CSV, TUM, KITTI, GPX or MCAP: docs/use/score.md")
       ->required();
   sub->add_option("--truth", options->truth, "recording of an emulated vehicle (MCAP)")->required();
-  sub->add_option("--format", options->format, "csv, tum, mcap; default by the file's name")
-      ->check(CLI::IsMember({"csv", "tum", "mcap"}));
+  sub->add_option("--format", options->format,
+                  "csv, tum, kitti, gpx, mcap; default by the file's name")
+      ->check(CLI::IsMember({"csv", "tum", "kitti", "gpx", "mcap"}));
+  sub->add_option("--times", options->times, "file of the times of KITTI's poses, a line each");
   sub->add_option("--topic", options->topic, "of estimates, in an MCAP file with several");
   sub->add_option_function<std::string>(
          "--align",

@@ -55,7 +55,7 @@ TEST(ATrackAsCsv, WithATimeThatIsNoneIsRefusedByItsLine) {
   std::istringstream in("utc,north_m\n2026-11-21 08:00,3\n");
   const auto read = read_csv(in, "dive.csv", origin);
   ASSERT_FALSE(read);
-  EXPECT_EQ(read.error().line, "dive.csv:2: utc = \"2026-11-2108:00\" is no time");
+  EXPECT_EQ(read.error().line, "dive.csv:2: utc = \"2026-11-21 08:00\" is no time");
 }
 
 }  // namespace drydock::score::track_csv_test
