@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <iterator>
 #include <stdexcept>
 
 #include "drivers/capture/byte_file.hpp"
 #include "drivers/capture/capture_file.hpp"
 #include "drivers/wire/can/candump.hpp"
+#include "hil/replay/rigs/packet_extent.hpp"
 
 namespace drydock::replay {
 namespace {
@@ -17,7 +19,6 @@ namespace {
 using measurement::Stamp;
 using std::chrono::nanoseconds;
 
-constexpr std::size_t pcap_head = 24;  ///< bytes in front of the first packet
 constexpr std::string_view pcapng_magic{"\x0A\x0D\x0D\x0A", 4};
 
 /// Frames of a capture without times come at the times that their device tells.
@@ -66,8 +67,7 @@ JoinedWriter::JoinedWriter(const std::string& path, const std::vector<FilePart>&
 Written JoinedWriter::add(const FilePart& part, std::optional<Stamp> after) {
   if (frames_) return add_frames(part, after);
   if (!copies_) return add_bytes(part, after);
-  copy(part);
-  return {};
+  return copy(part);
 }
 
 Written JoinedWriter::add_frames(const FilePart& part, std::optional<Stamp> after) {
@@ -126,10 +126,20 @@ namespace {
       "pcapng files");
 }
 
+void copy_bytes(std::istream& in, std::ostream& out, std::uint64_t size) {
+  std::array<char, 65536> block;
+  while (size > 0 && in.read(block.data(), static_cast<std::streamsize>(
+                                               std::min<std::uint64_t>(size, block.size())))) {
+    out.write(block.data(), in.gcount());
+    size -= static_cast<std::uint64_t>(in.gcount());
+  }
+}
+
 }  // namespace
 
 /// A pcapng file may have several sections, and a log goes on; a pcap file has one head.
-void JoinedWriter::copy(const FilePart& part) {
+Written JoinedWriter::copy(const FilePart& part) {
+  Written written;
   std::ifstream in(part.file, std::ios::binary);
   if (capture::has_packets(part.file)) {
     std::string head(pcap_head, '\0');
@@ -137,12 +147,19 @@ void JoinedWriter::copy(const FilePart& part) {
     const bool sections = head.starts_with(pcapng_magic);
     if (sections) head = pcapng_magic;
     if (head_ && *head_ != head) refuse_other_kind(part.file);
-    in.seekg(sections || !head_ ? 0 : static_cast<std::streamoff>(pcap_head));
+    const std::uint64_t from = sections || !head_ ? 0 : pcap_head;
+    in.seekg(static_cast<std::streamoff>(from));
     head_ = head;
-  } else if (head_) {
-    refuse_other_kind(part.file);
+    const std::uint64_t end = packet_extent(part.file);
+    copy_bytes(in, out_, end - std::min(from, end));
+    if (const auto size = std::filesystem::file_size(part.file); size > end)
+      written.damage =
+          fmt::format("its last packet is cut short, {} bytes are left out", size - end);
+    return written;
   }
+  if (head_) refuse_other_kind(part.file);
   if (in.peek() != std::ifstream::traits_type::eof()) out_ << in.rdbuf();
+  return written;
 }
 
 std::string JoinedWriter::finish() {

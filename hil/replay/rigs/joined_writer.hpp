@@ -42,7 +42,7 @@ class JoinedWriter {
  private:
   Written add_frames(const FilePart& part, std::optional<measurement::Stamp> after);
   Written add_bytes(const FilePart& part, std::optional<measurement::Stamp> after);
-  void copy(const FilePart& part);
+  Written copy(const FilePart& part);
 
   std::ofstream out_;
   const decode::ReplayOptions& how_;
