@@ -94,6 +94,13 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+/// The letters of the word, in its order, and others between them.
+bool has_letters_of(std::string_view word, std::string_view name) {
+  for (const char c : name)
+    if (!word.empty() && word.front() == c) word.remove_prefix(1);
+  return word.empty();
+}
+
 /// The first name that the word begins up to an underscore, or else the only one that it begins at
 /// all. None: null.
 const std::string* begun_by(const std::string& lower, std::span<const std::string> known) {
@@ -213,7 +220,11 @@ std::string did_you_mean(const std::string& word, std::span<const std::string> k
   const auto distance = [lower = in_lower_case(word)](const std::string& other) {
     return edit_distance(lower, in_lower_case(other));
   };
-  const auto nearest = std::ranges::min_element(known, {}, distance);
+  // Who leaves out a letter is more common than who mistakes one: `sped` is `speed`, not `seed`.
+  const auto rank = [&](const std::string& other) {
+    return std::pair(distance(other), !has_letters_of(in_lower_case(word), other));
+  };
+  const auto nearest = std::ranges::min_element(known, {}, rank);
   if (nearest != known.end() && distance(*nearest) <= 1) return meant(*nearest);
   if (const auto* longer = begun_by(in_lower_case(word), known)) return meant(*longer);
   if (nearest == known.end() || distance(*nearest) > 1 + word.size() / 4) return "";
