@@ -215,7 +215,9 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
   if (!options.dbc.empty()) return decode_by_dbc(options, out, err);
   if (!options.pgns.empty()) return decode_by_pgns(options, out, err);
   const std::string& protocol = options.protocol;
-  if (protocol.empty()) return refuse(err, "--protocol, --dbc or --pgns is missing");
+  if (protocol.empty())
+    return refuse(err,
+                  "--protocol, --dbc or --pgns is missing; drydock probe FILE finds the protocol");
   const bool from_frames = knows(wire::FrameProtocols{}, protocol) ||
                            knows(wire::FramesAsTheyAre{}, protocol) ||
                            (options.description && options.description->frames);

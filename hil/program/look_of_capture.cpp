@@ -24,6 +24,10 @@ void must_be_no_foreign_file(const std::string& file) {
 void say_what_it_looks_like(const std::string& file, const std::string& protocol) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return;
+  if (std::filesystem::file_size(file, error) == 0) {
+    fmt::print(stderr, "{} is empty\n", file);
+    return;
+  }
   const auto heard = probe::find_sensors(link::file_uri(file) + "?speed=max", 0);
   if (heard.attempts.empty() || heard.attempts.back().findings.empty()) return;
   const auto& best = heard.attempts.back().findings.front();

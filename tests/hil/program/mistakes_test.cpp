@@ -224,6 +224,14 @@ TEST(Mistakes, AReplayWithoutAMeasurementIsNeverSilent) {
                 "replay: " + noise + ": no measurement\n"}});
 }
 
+TEST(Mistakes, ADecodeOfNothingSaysWhatIsMissing) {
+  const Folder folder;
+  const std::string empty = (folder / "empty.bin").string();
+  std::ofstream{empty};
+  expect_told({{"decode " + empty + " --protocol pd0", 1, "is empty"},
+               {"decode fixtures/pd0/golden.pd0", 2, "drydock probe FILE finds the protocol"}});
+}
+
 TEST(Mistakes, AFailureBeginsWithTheNameOfItsCommand) {
   for (const std::string command : {"track", "calibrate", "info", "diagnose"})
     expect_told({{command + " /dev/null", 1, command + ": /dev/null: is a device or a pipe"}});
