@@ -180,6 +180,7 @@ TEST(Misspelled, ACommandGetsASuggestion) {
   EXPECT_EQ(runn.exit_code, 2);
   EXPECT_THAT(runn.output, HasSubstr("'runn' is no command (did you mean 'run'?)"));
   EXPECT_THAT(drydock("rnu").output, HasSubstr("'rnu' is no command (did you mean 'run'?)"));
+  EXPECT_THAT(drydock("run demo --sped max").output, HasSubstr("did you mean '--speed'?"));
   EXPECT_THAT(drydock("help scorcard").output, HasSubstr("did you mean 'scorecard'?"));
   EXPECT_THAT(drydock("zzzzzzzz").output, HasSubstr("'zzzzzzzz' is no command; drydock --help"));
 }
