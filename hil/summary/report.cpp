@@ -69,18 +69,18 @@ std::string error_table(const EstimatorSummary& e) {
 std::string integrity_table(const EstimatorSummary& e) {
   if (!e.valid_share || !e.promised) return {};
   const auto& last = *e.promised;
-  std::string head = "<th>valid<th>at the end", row;
+  std::string head = "<th>estimates<th>at the end", row;  // a phone shows the first cell alone
   const auto add = [&](const char* what, double value, const char* unit) {
     head += fmt::format("<th>{} within", what);
-    row += fmt::format("<td>{:.2g} {}", value, unit);
+    row += fmt::format("<td>{:.2g}{}", value, unit);
   };
-  add("roll", last.roll_bound_rad * units::degrees_per_radian, "deg");
-  add("pitch", last.pitch_bound_rad * units::degrees_per_radian, "deg");
+  add("roll", last.roll_bound_rad * units::degrees_per_radian, "°");
+  add("pitch", last.pitch_bound_rad * units::degrees_per_radian, "°");
   if (last.heading_bound_rad)
-    add("heading", *last.heading_bound_rad * units::degrees_per_radian, "deg");
-  if (last.horizontal_bound_m) add("position", *last.horizontal_bound_m, "m");
+    add("heading", *last.heading_bound_rad * units::degrees_per_radian, "°");
+  if (last.horizontal_bound_m) add("position", *last.horizontal_bound_m, " m");
   return fmt::format(
-      "<div class=scroll><table><tr>{}</tr>\n<tr><td>{:.1f} % of the estimates<td>{}{}</tr>"
+      "<div class=scroll><table><tr>{}</tr>\n<tr><td>{:.1f} % of the estimates valid<td>{}{}</tr>"
       "</table></div>\n",
       head, 100 * *e.valid_share, last.valid ? "valid" : "<span class=bad>not valid</span>", row);
 }

@@ -25,14 +25,16 @@ TEST(Report, SaysHowManyEstimatesWereValidAndHowFarTheLastCanBeOff) {
                                                   .horizontal_bound_m = 12.5};
   const std::string page = to_html(summary);
   EXPECT_THAT(
-      page, testing::HasSubstr(
-                "99.3 % of the estimates<td data-label=\"at the end\"><span class=bad>not valid"));
+      page,
+      testing::HasSubstr(
+          "99.3 % of the estimates valid<td data-label=\"at the end\"><span class=bad>not valid"));
   EXPECT_THAT(page, testing::HasSubstr("<th>roll within<th>pitch within<th>position within"));
-  EXPECT_THAT(page, testing::ContainsRegex("within.>0.8 deg<td [^<]*>0.5 deg<td [^<]*>12 m"));
+  EXPECT_THAT(page, testing::ContainsRegex("within.>0.8°<td [^<]*>0.5°<td [^<]*>12 m"));
 }
 
 TEST(Report, PromisesNothingForAnEstimatorThatNeverSpoke) {
-  EXPECT_THAT(to_html(with_estimator()), testing::Not(testing::HasSubstr("of the estimates<td>")));
+  EXPECT_THAT(to_html(with_estimator()),
+              testing::Not(testing::HasSubstr("of the estimates valid<td")));
 }
 
 }  // namespace
