@@ -18,6 +18,11 @@ TEST(PortAdvice, OfALinkThatHasNoPlugNamesNone) {
   EXPECT_NE(port_advice(link::Scheme::slcan).find("bit rate"), std::string_view::npos);
 }
 
+/// Its interface or pty is made by the devices on it.
+TEST(PortAdvice, OfAnEmulatedBusIsToStartItsDevices) {
+  EXPECT_EQ(port_advice(link::Scheme::can_auto), port_advice(link::Scheme::pty));
+}
+
 TEST(PortAdvice, StandsOnThePageOfFindings) {
   std::ifstream in(DRYDOCK_SOURCE_DIR "/docs/pier/findings.md");
   const std::string page{std::istreambuf_iterator<char>(in), {}};
