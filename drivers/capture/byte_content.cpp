@@ -37,12 +37,32 @@ bool is_hex_text(wire::Bytes text) {
 wire::Bytes ByteContent::of(wire::Bytes block) {
   if (raw_) return block;
   const wire::Bytes content = head_.without(block);
-  if (!is_hex_ && !content.empty()) is_hex_ = is_hex_text(content);
-  return is_hex() ? decoded(content) : stamps_.without(content);
+  if (form_ == Form::undecided && !content.empty()) form_ = form_of(content);
+  switch (form_) {
+    case Form::hex: return decoded(content);
+    case Form::dump: return dump_.of(content);
+    case Form::json: return json_.of(content);
+    case Form::undecided:
+    case Form::lines: break;
+  }
+  return stamps_.without(content);
+}
+
+ByteContent::Form ByteContent::form_of(wire::Bytes text) {
+  if (is_hex_text(text)) return Form::hex;
+  if (JsonDocuments::recognises(text)) return Form::json;
+  return HexDump::recognises(text) ? Form::dump : Form::lines;
 }
 
 std::string ByteContent::note() const {
-  if (is_hex()) return "hexadecimal text, read as the bytes that it means";
+  if (form_ == Form::hex) return "hexadecimal text, read as the bytes that it means";
+  if (form_ == Form::json) return "JSON in a list or over several lines, read as an object a line";
+  if (form_ == Form::dump) {
+    std::string dump = "a hexadecimal dump, read as the bytes that it means";
+    if (const auto odd = dump_.odd_lines(); odd > 0)
+      dump += fmt::format("; lines of another form are left out: {}", odd);
+    return dump;
+  }
   if (stamps_.lines() == 0) return {};
   const std::string_view are = stamps_.timed_lines() == 0 ? "were left out"
                                : stamps_.whole_seconds()  ? "are their times, in whole seconds"
@@ -52,7 +72,7 @@ std::string ByteContent::note() const {
 }
 
 std::span<const SentenceStamps::Timed> ByteContent::times() const {
-  if (raw_ || is_hex()) return {};
+  if (raw_ || form_ != Form::lines) return {};
   return stamps_.times();
 }
 

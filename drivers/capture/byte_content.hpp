@@ -7,13 +7,16 @@
 #include <vector>
 
 #include "drivers/capture/comment_head.hpp"
+#include "drivers/capture/hex_dump.hpp"
+#include "drivers/capture/json_documents.hpp"
 #include "drivers/capture/sentence_stamps.hpp"
 
 namespace drydock::capture {
 
 /// The bytes of a line in the blocks of a capture: without the comments of the head, and for a log
 /// of hexadecimal text (a DVL's ASCII output: 7F7F and digits alone) the bytes that the digits
-/// mean; for a logger's lines the sentences without its stamps. Feed the blocks in order.
+/// mean, as for a dump with places; for JSON in a list or over several lines an object a line; for
+/// a logger's lines the sentences without its stamps. Feed the blocks in order.
 class ByteContent {
  public:
   /// `raw`: the capture to the byte.
@@ -21,6 +24,8 @@ class ByteContent {
 
   /// Valid until the next call.
   wire::Bytes of(wire::Bytes block);
+  /// What is left at the end of the file; valid until the next call.
+  wire::Bytes finish() { return form_ == Form::dump ? dump_.finish() : wire::Bytes{}; }
   /// The lines of the last block that have a time; `through` counts in what of() returned.
   std::span<const SentenceStamps::Timed> times() const;
   const SentenceStamps& stamps() const { return stamps_; }
@@ -28,13 +33,17 @@ class ByteContent {
   std::string note() const;
 
  private:
-  bool is_hex() const { return is_hex_.value_or(false); }
+  enum class Form : std::uint8_t { undecided, lines, hex, dump, json };
+
+  static Form form_of(wire::Bytes text);
   wire::Bytes decoded(wire::Bytes digits);
 
   bool raw_;
   CommentHead head_;
   SentenceStamps stamps_;
-  std::optional<bool> is_hex_;  ///< the first bytes behind the head decide it
+  JsonDocuments json_;
+  HexDump dump_;
+  Form form_ = Form::undecided;  ///< the first bytes behind the head decide it
   std::optional<std::uint8_t> half_;
   std::vector<std::uint8_t> bytes_;
 };

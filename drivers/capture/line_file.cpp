@@ -65,8 +65,8 @@ std::optional<LineFile::Read> LineFile::next() {
   for (bool at_first = at_start;; at_first = false) {
     if (const auto part = next_part()) return part;
     const Bytes block = at_first ? first_ : blocks_.read();
-    if (block.empty()) return {};
-    block_ = content_.of(block);
+    block_ = block.empty() ? content_.finish() : content_.of(block);
+    if (block.empty() && block_.empty()) return {};
     part_ = part_from_ = 0;
   }
 }
