@@ -249,17 +249,20 @@ void Speeds::tell(Stamp now, diagnosis::SymptomSink& to) const {
           .unit = "m/s"});
 }
 
-/// The mean of all that is quiet, but for the shafts.
+/// The mean of all that is quiet, but for the shafts. Each counts by what is known of it now: a log
+/// whose current no turn has shown yet is off by as much, for as long, and no later sample mends
+/// what a law learned from it.
 std::optional<double> Speeds::speed_of_others() const {
-  double sum = 0;
-  int count = 0;
+  double sum = 0, weights = 0;
   for (const auto* kind : {&dvls_, &receivers_, &logs_})
     for (const std::size_t i : *kind) {
-      if (!is_quiet(i) || !group_.witnesses()[i].present) continue;
-      sum += group_.witnesses()[i].value - group_.witnesses()[i].test.offset();
-      ++count;
+      const Witness& one = group_.witnesses()[i];
+      if (!is_quiet(i) || !one.present) continue;
+      const double weight = 1 / (one.wide * one.wide);
+      sum += weight * (one.value - one.test.offset());
+      weights += weight;
     }
-  return count > 0 ? std::optional(sum / count) : std::nullopt;
+  return weights > 0 ? std::optional(sum / weights) : std::nullopt;
 }
 
 /// Ahead and to starboard, of a speed along the deck.

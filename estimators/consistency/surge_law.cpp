@@ -136,7 +136,8 @@ void SurgeLaw::believe(const Fit::Answer& law) {
   if (known_ || fit_.count() < fewest_steps || law_.sigma(0) > known_thrust_share * law_.value[0])
     return;
   known_ = true;
-  speeds_.fill(once_.speed);
+  // Not the low-passed one: of a hull that brakes by 0.1 m/s2 that lags by 0.4 m/s.
+  speeds_.fill(std::max(0.0, recent_mps_[0]));
 }
 
 /// What is not known of m is the difference between a quicker and a slower hull.

@@ -68,6 +68,20 @@ TEST(Surge, IsUnsureInTheFirstChangeOfASpeedThatWasSaidWithNoise) {
   }
 }
 
+// The thrust is known after 40 s, here while the hull brakes by 0.1 m/s2. It has no way of its own.
+TEST(Surge, BeginsAtTheSpeedOfTheMomentWhenAHullIsBraking) {
+  Surge surge;
+  double speed_mps = 3;
+  for (int i = 0; !surge.answer() && i < 500; ++i) {
+    speed_mps = std::max(2.0, 3 - 0.1 * dt * std::max(0, i - 190));
+    surge.take({.shaft_radps = speed_mps / 0.012, .speed_mps = speed_mps}, dt);
+    surge.learn();
+  }
+  ASSERT_TRUE(surge.answer());
+  ASSERT_LT(speed_mps, 2.95) << "it is braking";
+  EXPECT_NEAR(surge.answer()->speed_mps, speed_mps, 0.01);
+}
+
 TEST(Surge, KnowsATurnOfTheShaftThatTheHullDoesNotFollow) {
   Hull hull;
   for (const double shaft : {150.0, 110.0, 160.0, 120.0}) hull.drive(shaft, 60);
