@@ -14,7 +14,8 @@ function make(tag, properties = {}, ...children) {
 function label(value, step) {
   if (value === null) return '';
   if (Math.abs(value) >= 1e6 || step < 1e-5) return Number(value.toPrecision(3)).toExponential();
-  return value.toFixed(Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
+  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9)), units = step * 10 ** decimals;
+  return value.toFixed(Math.abs(units - Math.round(units)) < 1e-6 ? decimals : decimals + 1); // 2.5 needs one more
 }
 const powers = (values) => values.map((value) => (value === null ? '' : value >= 0.01 && value < 1e4 ? String(value) : value.toExponential()));
 

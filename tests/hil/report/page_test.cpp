@@ -31,7 +31,7 @@ std::string report() {
   auto rising = line("rising", {0, 50, 100}, {0, 5, 10});
   rising.shades = {{20, 30}};
   rising.curves.push_back({"3 sigma", {0, 50, 100}, {1, 2, 3}, true});
-  auto depth = line("depth", {0, 60, 100}, {1, 7, 9});
+  auto depth = line("depth", {0, 60, 100}, {0, 0.0011, 0.0017});
   depth.y_down = true;
   Figure spectrum{"spectrum", "Hz", "m/s", {{"", {0.01, 1, 100}, {1e-4, 1e-3, 1}}}};
   spectrum.log_x = spectrum.log_y = true;
@@ -87,6 +87,11 @@ TEST_P(ReportPage, IsOneFileWhosePlotsAreToScaleAndCanBeZoomed) {
   EXPECT_EQ(numbers(whole[0], "x"), (std::vector<double>{0, 100}));
   EXPECT_TRUE(whole[0]["rising"]);
   EXPECT_FALSE(whole[1]["rising"]);  // depth grows downwards
+  std::vector<double> deep;
+  for (const auto& mark : whole[1]["marks"][1]) deep.push_back(std::stod(mark.get<std::string>()));
+  ASSERT_GT(deep.size(), 2U);
+  for (std::size_t i = 2; i < deep.size(); ++i)  // marks at equal distances say equal ones
+    EXPECT_NEAR(deep[i] - deep[i - 1], deep[1] - deep[0], 1e-9) << whole[1]["marks"][1];
   EXPECT_LT(numbers(whole[2], "x")[0], 0.01);
   EXPECT_GT(numbers(whole[2], "x")[1], 100);
   // Powers of ten are marked although the axis begins between two.
