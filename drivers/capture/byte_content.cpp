@@ -34,6 +34,23 @@ bool is_hex_text(wire::Bytes text) {
   return std::search(text.begin(), text.end(), sync.begin(), sync.end(), same_letter) != text.end();
 }
 
+bool is_hex_pairs(wire::Bytes text) {
+  constexpr std::size_t fewest = 16;
+  std::size_t pairs = 0, digits = 0;
+  bool has_letter = false;
+  for (const std::uint8_t letter : text) {
+    if (is_space(letter)) {
+      if (digits == 1) return false;
+      digits = 0;
+      continue;
+    }
+    if (!hex_digit(letter) || ++digits > 2) return false;
+    if (digits == 2) ++pairs;
+    has_letter = has_letter || letter > '9';
+  }
+  return has_letter && pairs >= fewest;
+}
+
 wire::Bytes ByteContent::of(wire::Bytes block) {
   if (raw_) return block;
   const wire::Bytes content = head_.without(block);
@@ -49,9 +66,10 @@ wire::Bytes ByteContent::of(wire::Bytes block) {
 }
 
 ByteContent::Form ByteContent::form_of(wire::Bytes text) {
-  if (is_hex_text(text)) return Form::hex;
-  if (JsonDocuments::recognises(text)) return Form::json;
-  return HexDump::recognises(text) ? Form::dump : Form::lines;
+  // The digits of a dump may be those of an ensemble, so that its places are looked at first.
+  if (HexDump::recognises(text)) return Form::dump;
+  if (is_hex_text(text) || is_hex_pairs(text)) return Form::hex;
+  return JsonDocuments::recognises(text) ? Form::json : Form::lines;
 }
 
 std::string ByteContent::note() const {

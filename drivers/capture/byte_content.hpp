@@ -51,4 +51,8 @@ class ByteContent {
 /// True if the text is nothing but hexadecimal digits in lines, with the begin of a PD0 ensemble.
 bool is_hex_text(wire::Bytes text);
 
+/// True if the text is nothing but bytes of two hexadecimal digits with blanks between, and has a
+/// letter: others are numbers of something else.
+bool is_hex_pairs(wire::Bytes text);
+
 }  // namespace drydock::capture

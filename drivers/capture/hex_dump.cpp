@@ -25,10 +25,12 @@ bool is_digit_at(std::string_view text, std::size_t at) {
   return at < text.size() && hex_digits.find(text[at]) != std::string_view::npos;
 }
 
-/// Without the letters: behind `|`, or behind two blanks where there is none.
-std::string_view digits_of(std::string_view text) {
+/// Without the letters. xxd has them behind two blanks; `hexdump -C` between `|`, and two blanks
+/// inside of its digits too.
+std::string_view digits_of(std::string_view text, bool of_xxd) {
   text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-  if (const auto bar = text.find('|'); bar != std::string_view::npos) return text.substr(0, bar);
+  if (const auto bar = text.find('|'); !of_xxd && bar != std::string_view::npos)
+    return text.substr(0, bar);
   return text.substr(0, text.find("  "));
 }
 
@@ -50,9 +52,10 @@ std::optional<HexDump::Line> HexDump::line_of(std::string_view text) {
   if (place < shortest_place) return {};
   Line line{text.substr(0, place), {}};
   text.remove_prefix(place);
-  if (text.starts_with(':')) text.remove_prefix(1);
+  const bool of_xxd = text.starts_with(':');
+  if (of_xxd) text.remove_prefix(1);
   if (!text.empty() && text[0] != ' ' && text[0] != '\t') return {};
-  const std::string_view digits = digits_of(text);
+  const std::string_view digits = digits_of(text, of_xxd);
   for (std::size_t at = 0; at < digits.size();) {
     if (digits[at] == ' ') {
       ++at;

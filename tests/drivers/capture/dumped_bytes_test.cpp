@@ -71,6 +71,28 @@ TEST(DumpedBytes, OfXxdHexdumpAndOdAreThoseOfTheLine) {
   }
 }
 
+// `printf 'a|b  |c|defghijklm|' | xxd`
+TEST(DumpedBytes, OfXxdMayHaveBarsAmongTheLetters) {
+  EXPECT_EQ(content("00000000: 617c 6220 207c 637c 6465 6667 6869 6a6b  a|b  |c|defghijk\n"
+                    "00000010: 6c6d 7c                                  lm|\n"),
+            "a|b  |c|defghijklm|");
+}
+
+// The first bytes of a PD0 ensemble in words.
+TEST(DumpedBytes, OfWordsMayBeginAsAnEnsembleInDigits) {
+  EXPECT_EQ(content("0000000 7f7f 01ae 0600 0012 004d 008e 0110 0192\n0000010 5251\n").substr(0, 6),
+            std::string("\x7f\x7f\xae\x01\0\6", 6));
+}
+
+TEST(DumpedBytes, OfPairsOfDigitsWithBlanksAreThoseOfTheLine) {
+  EXPECT_EQ(
+      content("24 50 52 44 49 44 2C 2D 30 2E 35 2C 31 2E 32 2C\r\n33 35 39 2E 39 2A 35 46 0D 0A "
+              "41 42 43\r\n"),
+      dumped);
+  constexpr std::string_view numbers = "10 20 30 40 50 60 70 80 90 11 22 33 44 55 66 77 88\n";
+  EXPECT_EQ(content(numbers), numbers) << "no letter";
+}
+
 // `printf 'ABCDEFGHIJKLMNOPQR' | hexdump`: words of a computer whose low byte is first.
 TEST(DumpedBytes, OfWordsAreInTheOrderOfTheFile) {
   EXPECT_EQ(content("0000000 4241 4443 4645 4847 4a49 4c4b 4e4d 504f\n0000010 5251\n0000012\n"),
