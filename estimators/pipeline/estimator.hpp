@@ -43,7 +43,8 @@ constexpr std::string_view to_string(EstimatorState state) {
 struct EstimatorStatus {
   EstimatorState state = EstimatorState::waiting_for_imu;
   std::uint64_t estimates = 0;
-  std::uint64_t restarts = 0;          ///< after a gap in the IMU samples or a clock set back
+  /// After a gap in the samples or a clock set back; of mixing, also behind a fault of its IMU.
+  std::uint64_t restarts = 0;
   std::uint64_t divergences = 0;       ///< starts because the innovations contradicted for too long
   std::uint64_t wild = 0;              ///< IMU samples that no vehicle can cause, not used
   std::uint64_t steps = 0;             ///< steps of the IMU that no vehicle can make
