@@ -9,8 +9,8 @@ namespace drydock::emulate {
 /// A sampling device on a J1939 or NMEA 2000 bus. It samples only while it has an address.
 class J1939Device : public SamplingDevice {
  public:
-  std::optional<Stamp> deadline() const final;
-  void tick(Stamp now, Wire& out) final;
+  std::optional<Stamp> deadline() const override;
+  void tick(Stamp now, Wire& out) override;
   using SamplingDevice::receive;
   void receive(const wire::CanFrame& frame, Stamp now, Wire& out) final;
 
@@ -18,6 +18,9 @@ class J1939Device : public SamplingDevice {
   /// `name` is the value that decides a contention. Takes `preferred` unless the configuration
   /// gives an address.
   J1939Device(const DeviceSetup& setup, std::uint64_t name, std::uint8_t preferred);
+
+  /// Empty: it has none now, and must be silent.
+  std::optional<std::uint8_t> own_address() const { return node_.address(); }
 
   /// Receives a frame of the bus while the device has an address.
   virtual void hear(const wire::CanFrame&, Stamp /*now*/, std::uint8_t /*address*/, Wire&) {}

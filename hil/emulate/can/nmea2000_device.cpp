@@ -14,10 +14,15 @@ namespace j1939 = wire::j1939;
 
 constexpr std::uint32_t acknowledgement_pgn = 59392, lists_pgn = 126464, product_pgn = 126996,
                         configuration_pgn = 126998;
-constexpr std::array<std::uint32_t, 5> always_sent{acknowledgement_pgn, j1939::address_claim_pgn,
-                                                   lists_pgn, product_pgn, configuration_pgn};
-constexpr std::array<std::uint32_t, 3> always_taken{j1939::request_pgn, j1939::address_claim_pgn,
-                                                    j1939::commanded_address_pgn};
+constexpr std::array always_sent{acknowledgement_pgn,
+                                 j1939::address_claim_pgn,
+                                 wire::nmea2000::GroupFunction::pgn,
+                                 lists_pgn,
+                                 heartbeat_pgn,
+                                 product_pgn,
+                                 configuration_pgn};
+constexpr std::array always_taken{j1939::request_pgn, j1939::address_claim_pgn,
+                                  j1939::commanded_address_pgn, wire::nmea2000::GroupFunction::pgn};
 constexpr std::uint8_t usual_priority = 6;
 
 /// Fixed length, filled with FFh.
@@ -43,10 +48,17 @@ void append_pgns(std::vector<std::uint8_t>& message, std::span<const std::uint32
 
 void Nmea2000Device::hear(const wire::CanFrame& frame, Stamp now, std::uint8_t address, Wire& out) {
   const auto id = j1939::identify(frame);
+  if (id && id->pgn == wire::nmea2000::GroupFunction::pgn)
+    return hear_group_function(*id, frame.payload(), now, address, out);
   const auto request = id ? j1939::decode_request(*id, frame.payload()) : std::nullopt;
   if (!request) return hear_message(frame, now, out);
   if (request->destination == j1939::global_address || request->destination == address)
     answer(*request, address, out);
+}
+
+bool Nmea2000Device::knows(std::uint32_t pgn) const {
+  return std::ranges::find(always_sent, pgn) != always_sent.end() ||
+         std::ranges::find(product_.sends, pgn) != product_.sends.end();
 }
 
 void Nmea2000Device::answer(const j1939::Request& request, std::uint8_t address, Wire& out) {
@@ -56,6 +68,7 @@ void Nmea2000Device::answer(const j1939::Request& request, std::uint8_t address,
     case j1939::address_claim_pgn: return;  // the node has answered
     case product_pgn: return tell_product(address, out);
     case configuration_pgn: return tell_configuration(address, out);
+    case heartbeat_pgn: return send_heartbeat(address, out);
     case lists_pgn: return tell_lists({usual_priority, lists_pgn, asker, address}, out);
     default: break;
   }
