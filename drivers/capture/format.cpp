@@ -8,6 +8,7 @@
 #include "drivers/capture/formats/canboat_plain.hpp"
 #include "drivers/capture/formats/candump_log.hpp"
 #include "drivers/capture/formats/candump_screen.hpp"
+#include "drivers/capture/formats/crtd.hpp"
 #include "drivers/capture/formats/ikonvert.hpp"
 #include "drivers/capture/formats/pcan_trc.hpp"
 #include "drivers/capture/formats/pcap.hpp"
@@ -60,7 +61,7 @@ constexpr std::array all{
     text_format<CandumpLog>(),   text_format<CandumpScreen>(), text_format<VectorAsc>(),
     text_format<PcanTrc>(),      text_format<CanboatPlain>(),  text_format<ActisenseAscii>(),
     text_format<YachtDevices>(), text_format<Ikonvert>(),      text_format<SavvyCan>(),
-    text_format<PythonCan>(),    text_format<Busmaster>()};
+    text_format<PythonCan>(),    text_format<Busmaster>(),     text_format<Crtd>()};
 
 }  // namespace
 

@@ -66,6 +66,7 @@ const Sample samples[] = {
     {"savvycan.csv", "savvycan", {0, 1, 3, 4, 6, 7}, true, false},
     {"savvycan-v1.csv", "savvycan", {0, 1, 3, 4, 6, 7}, true, false},
     {"busmaster.log", "busmaster", {0, 1, 2, 3, 4}, true, false, Sample::absolute, 100us},
+    {"crtd.txt", "crtd", {0, 1, 3, 4}, true, false},
     {"table.csv", "python-can", all, false, false},
     {"le_us.pcap", "pcap", all, false},
     {"be_ns.pcap", "pcap", all, false},
