@@ -66,8 +66,8 @@ std::optional<LineFile::Read> LineFile::next() {
     if (const auto part = next_part()) return part;
     const Bytes block = at_first ? first_ : blocks_.read();
     block_ = block.empty() ? content_.finish() : content_.of(block);
-    if (block.empty() && block_.empty()) return {};
     part_ = part_from_ = 0;
+    if (block.empty() && block_.empty()) return {};
   }
 }
 

@@ -1,7 +1,12 @@
 // Bytes of a line that other programs wrote down in their own form.
 #include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
 
 #include "drivers/capture/byte_content.hpp"
+#include "drivers/capture/line_file.hpp"
 #include "drivers/wire/text_fields.hpp"
 
 namespace drydock::capture {
@@ -114,6 +119,16 @@ TEST(DumpedBytes, WithLinesOfAnotherFormAreSaid) {
   EXPECT_EQ(note, "") << "the second line is no dump, so this is none";
   EXPECT_EQ(content("0000: 41 42\n0002: 43 44\nremark\n", &note), "ABCD");
   EXPECT_THAT(note, HasSubstr("lines of another form are left out: 1"));
+}
+
+TEST(DumpedBytes, OfAFileStayAtItsEnd) {
+  const auto path = ::testing::TempDir() + "dumped-bytes-" + std::to_string(::getpid());
+  std::ofstream(path) << dumped;
+  LineFile file(path, false);
+  EXPECT_EQ(wire::as_text(file.next().value().bytes), dumped);
+  EXPECT_FALSE(file.next());
+  EXPECT_FALSE(file.next());
+  std::remove(path.c_str());
 }
 
 }  // namespace dumped_bytes_test
