@@ -3,8 +3,6 @@
 #include <array>
 #include <fstream>
 
-#include "drivers/wire/bytes.hpp"
-
 namespace drydock::replay {
 namespace {
 
@@ -28,9 +26,10 @@ class Words {
     std::array<char, 4> bytes{};
     in_.seekg(static_cast<std::streamoff>(place));
     in_.read(bytes.data(), bytes.size());
-    const wire::Bytes word{reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
-    return big_endian ? wire::load_be<std::uint32_t>(word, 0)
-                      : wire::load_le<std::uint32_t>(word, 0);
+    std::uint32_t word = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+      word = word << 8 | static_cast<std::uint8_t>(bytes[big_endian ? i : bytes.size() - 1 - i]);
+    return word;
   }
 
  private:
