@@ -22,7 +22,7 @@ NOT_TYPED = [
 # Typed beside the emulated devices of a rig, which it speaks to.
 BESIDE = [
     ("demo",
-     r"drydock (?:monitor|drive|record|diagnose|topic) (?:my-)?rig\.toml|drydock monitor '?(?:pty|can):|drydock fault \S+ set|: ls \$XDG"),
+     r"drydock (?:monitor|drive|record|diagnose|topic) (?:my-)?rig\.toml|drydock monitor '?(?:pty|can):|drydock fault \S+ set|: ls \$\{?XDG"),
     ("described", r"drydock probe pty:altimeter"),
 ]
 
