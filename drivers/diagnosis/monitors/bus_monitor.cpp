@@ -146,11 +146,20 @@ bool BusMonitor::sends_from(std::uint8_t address) const {
   });
 }
 
+/// A sound node has more to say than in its first seconds: NMEA 2000's heartbeat comes once a
+/// minute, and an alarm when there is one. Noise has any sender.
+bool BusMonitor::has_a_known_sender(const wire::CanFrame& frame) const {
+  return frame.extended && sends_from(wire::j1939::parse_identifier(frame.id).source) &&
+         std::ranges::any_of(nodes_, [](const Node& node) {
+           return node.expected.protocol.network == wire::Network::j1939;
+         });
+}
+
 void BusMonitor::judge_identifier(const wire::CanFrame& frame, Stamp at) {
   if (!is_usual(frame, at)) {
     new_bits_ += wire::wire_bits(frame);
     // A node that joins repeats its identifiers; noise does not.
-    if (!is_repeated(key_of(frame))) note_strange(at);
+    if (!is_repeated(key_of(frame)) && !has_a_known_sender(frame)) note_strange(at);
     return;
   }
   if (behind_strange_ && at - strange_at_ < soon)

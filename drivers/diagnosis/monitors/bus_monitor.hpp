@@ -56,6 +56,7 @@ class BusMonitor {
   void take_claim(const wire::CanFrame& frame, Stamp at);
   void judge_identifier(const wire::CanFrame& frame, Stamp at);
   bool is_usual(const wire::CanFrame& frame, Stamp at);
+  bool has_a_known_sender(const wire::CanFrame& frame) const;
   void judge_size(Usual& usual, const wire::CanFrame& frame, Stamp at);
   Usual* usual_of(std::uint32_t key);
   bool is_repeated(std::uint32_t key);

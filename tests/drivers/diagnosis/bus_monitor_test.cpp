@@ -169,6 +169,16 @@ TEST_F(BusThatIsWatched, TakesANodeThatJoinsForNoFault) {
   EXPECT_TRUE(signs.all.empty());
 }
 
+// NMEA 2000: a heartbeat (126993) comes every 60 s, product information (126996) when asked for.
+TEST_F(BusThatIsWatched, HasNodesThatSaySomeThingsForTheFirstTimeAfterAMinute) {
+  for (const std::uint8_t source : {35, 36}) {
+    take(frame_of(id(126'993, source), true), 0.01);
+    take(frame_of(id(126'996, source), true), 0.02);
+    tenth();
+  }
+  EXPECT_TRUE(signs.all.empty());
+}
+
 TEST_F(BusThatIsWatched, KnowsWhoSendsNoiseByWhatFollowsIt) {
   std::mt19937 random(1);
   for (int i = 0; i < 20; ++i) {
