@@ -50,6 +50,7 @@ void put_in_order(std::vector<FilePart>& parts) {
 
 std::string names_of(const std::vector<FilePart>& parts) {
   std::vector<std::string> names;
+  names.reserve(parts.size());
   for (const auto& part : parts) names.push_back(text::printable(part.file));
   return fmt::format("{}", fmt::join(names, ", "));
 }

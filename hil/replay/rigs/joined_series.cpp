@@ -71,6 +71,7 @@ class Joiner {
       return;
     }
     std::vector<std::string> paths;
+    paths.reserve(files.size());
     for (const auto& file : files) paths.push_back(file.path);
     auto joined =
         join(paths, key.device.empty() ? readers()[key.readers.front()].how : reader->how);
