@@ -11,8 +11,10 @@ namespace {
 constexpr std::string_view hex_digits = "0123456789abcdefABCDEF";
 /// Digits of a place of od, and of hexdump where it prints words.
 constexpr std::size_t od_place = 7;
-/// A repeat of more is taken for damage.
-constexpr std::uint64_t longest_repeat = 1u << 24;
+/// Repeats of more in one block are taken for damage: a few letters may ask for any number of
+/// bytes.
+constexpr std::uint64_t most_repeated = 1u << 24;
+constexpr std::size_t longest_dump_line = 1024;
 
 std::optional<std::uint64_t> number_of_place(std::string_view text, int base) {
   std::uint64_t value = 0;
@@ -96,9 +98,10 @@ bool HexDump::recognises(wire::Bytes bytes) {
 
 wire::Bytes HexDump::of(wire::Bytes block) {
   bytes_.clear();
+  may_repeat_ = most_repeated;
   for (const char letter : wire::as_text(block)) {
     if (letter != '\n') {
-      waiting_.push_back(letter);
+      if (waiting_.size() <= longest_dump_line) waiting_.push_back(letter);
       continue;
     }
     if (waiting_.ends_with('\r')) waiting_.pop_back();
@@ -119,7 +122,7 @@ void HexDump::take(std::string_view text) {
     repeats_ = true;
     return;
   }
-  const auto line = line_of(text);
+  const auto line = text.size() > longest_dump_line ? std::nullopt : line_of(text);
   if (!line) {
     ++odd_lines_;
     return;
@@ -139,7 +142,12 @@ void HexDump::take(std::string_view text) {
 }
 
 void HexDump::repeat_until(std::uint64_t place) {
-  if (last_.empty() || place < next_ || place - next_ > longest_repeat) return;
+  if (last_.empty() || place < next_ || place - next_ > may_repeat_) {
+    ++odd_lines_;
+    next_ = place;
+    return;
+  }
+  may_repeat_ -= place - next_;
   for (; next_ < place; next_ += last_.size())
     bytes_.insert(bytes_.end(), last_.begin(), last_.end());
 }

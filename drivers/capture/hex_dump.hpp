@@ -21,7 +21,8 @@ class HexDump {
   /// Valid until the next call.
   wire::Bytes of(wire::Bytes block);
   wire::Bytes finish();  ///< of a last line without an end, once; valid until the next call
-  std::uint64_t odd_lines() const { return odd_lines_; }  ///< that are none, left out
+  /// Left out: they are none, or repeat too much.
+  std::uint64_t odd_lines() const { return odd_lines_; }
 
   struct Line {
     std::string_view place;
@@ -39,6 +40,7 @@ class HexDump {
   std::uint64_t next_ = 0;  ///< the place behind the last line
   int base_ = 0;            ///< of the places; 0: the second line tells it
   bool repeats_ = false;
+  std::uint64_t may_repeat_ = 0;  ///< bytes, in the present block
   std::uint64_t odd_lines_ = 0;
 };
 

@@ -9,6 +9,9 @@
 
 namespace drydock::score {
 
+/// How many numbers a line of KITTI's poses has.
+inline constexpr std::size_t kitti_numbers = 12;
+
 /// Lines `t x y z qx qy qz qw`: seconds, metres, a quaternion with its scalar last; axes east,
 /// north, up, body forward, left, up, as ROS has them. # begins a comment. `name` is for
 /// problems.

@@ -2,6 +2,7 @@
 
 #include "hil/score/csv_cells.hpp"
 #include "hil/score/numbers.hpp"
+#include "hil/score/read_estimates.hpp"
 #include "hil/score/words_of.hpp"
 
 namespace drydock::score {

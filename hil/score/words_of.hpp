@@ -8,9 +8,6 @@
 
 namespace drydock::score {
 
-/// How many numbers a line of KITTI's poses has.
-inline constexpr std::size_t kitti_numbers = 12;
-
 /// The words of a line, with blanks, tabs, commas or semicolons between them; `#` begins a comment.
 inline std::vector<std::string> words_of(std::string_view line) {
   std::string text(line.substr(0, line.find('#')));

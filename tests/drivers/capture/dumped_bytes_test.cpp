@@ -1,4 +1,5 @@
 // Bytes of a line that other programs wrote down in their own form.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -57,6 +58,26 @@ TEST(DumpedBytes, OfATornObjectDoNotTakeTheNextWithThem) {
 TEST(DumpedBytes, OfADevicesOwnLinesStayAsTheyAre) {
   constexpr std::string_view lines = "{\"time\": 1, \"a\": [1, 2]}\r\n{\"time\": 2}\r\n";
   EXPECT_EQ(content(lines), lines);
+}
+
+/// Each `*` of these thirty asks for 16 MB; one block has room for the first.
+TEST(DumpedBytes, OfRepeatsWithoutMeasureAreDamage) {
+  std::string text = "00000000: 4142 4344 4546 4748  ABCDEFGH\n";
+  for (int i = 1; i <= 30; ++i)
+    text += fmt::format("*\n{:08x}: 4142 4344 4546 4748  ABCDEFGH\n", i * 0xFFFFF0);
+  HexDump dump;
+  EXPECT_LT(dump.of({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}).size(),
+            17'000'000U);
+  EXPECT_EQ(dump.odd_lines(), 29U);
+}
+
+TEST(DumpedBytes, OfALineWithoutEndAreNotKept) {
+  const std::string eight = "4142 4344 4546 4748\n";
+  const std::string text = "00000000: " + eight + "00000008: " + eight + "00000010: 4142 " +
+                           std::string(100'000, '4') + "\n";
+  std::string note;
+  EXPECT_EQ(content(text, &note).size(), 16U);
+  EXPECT_THAT(note, HasSubstr("left out: 1"));
 }
 
 // `printf '$PRDID,-0.5,1.2,359.9*5F\r\nABC' | xxd`, `| hexdump -C`, `| od -t x1`.

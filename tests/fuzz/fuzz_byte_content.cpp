@@ -1,0 +1,46 @@
+#include <cstdlib>
+#include <vector>
+
+#include "drivers/capture/hex_dump.hpp"
+#include "drivers/capture/json_documents.hpp"
+
+using namespace drydock;
+
+namespace {
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+template <class Form>
+std::vector<std::uint8_t> read(wire::Bytes bytes, std::size_t piece) {
+  Form form;
+  std::vector<std::uint8_t> out;
+  const auto add = [&](wire::Bytes read) { out.insert(out.end(), read.begin(), read.end()); };
+  while (!bytes.empty()) {
+    const wire::Bytes part = bytes.first(std::min(piece, bytes.size()));
+    add(form.of(part));
+    bytes = bytes.subspan(part.size());
+  }
+  return out;
+}
+
+/// Each block may repeat so many bytes, so that pieces may give more than the whole.
+bool repeats(wire::Bytes bytes) { return std::ranges::find(bytes, '*') != bytes.end(); }
+
+}  // namespace
+
+/// Lines of a dump and JSON documents give the same bytes as a whole and in pieces. The last byte
+/// is the length of the pieces.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const wire::Bytes bytes{data, size};
+  if (bytes.empty()) return 0;
+  const std::size_t piece = std::size_t{1} + bytes.back();
+  require(read<capture::JsonDocuments>(bytes, size) == read<capture::JsonDocuments>(bytes, piece));
+  const auto dumped = read<capture::HexDump>(bytes, size);
+  require(repeats(bytes) ? dumped.size() <= size + (1u << 24)
+                         : dumped == read<capture::HexDump>(bytes, piece));
+  capture::HexDump::recognises(bytes);
+  capture::JsonDocuments::recognises(bytes);
+  return 0;
+}
