@@ -10,6 +10,7 @@
 #include "rig_config/kinematic_vehicle.hpp"
 #include "rig_config/steering.hpp"
 #include "rig_config/toml/checked_file.hpp"
+#include "rig_config/toml/first_table.hpp"
 #include "rig_config/toml/toml_reader.hpp"
 #include "rig_config/typed/build.hpp"
 
@@ -204,10 +205,10 @@ namespace {
 Problems first_table_missing(const Node& root, const std::string& path) {
   for (const auto& [blocks, table] : {std::pair{"device", "rig"}, std::pair{"leg", "mission"}})
     if (root.find(blocks) && !root.find(table))
-      return {{path, 1, 1, "/",
-               fmt::format("a file with blocks [[{}]] has a table [{}] too; it is "
-                           "missing",
-                           blocks, table)}};
+      return {without_first_table(
+          root, path, table,
+          fmt::format("a file with blocks [[{}]] has a table [{}] too, and here is none", blocks,
+                      table))};
   return {};
 }
 

@@ -11,6 +11,7 @@
 #include "rig_config/file_trouble.hpp"
 #include "rig_config/nearest_file.hpp"
 #include "rig_config/rules/schema_check.hpp"
+#include "rig_config/toml/first_table.hpp"
 #include "rig_config/toml/toml_limits.hpp"
 #include "rig_config/toml/toml_reader.hpp"
 
@@ -27,6 +28,15 @@ std::string_view described(FileKind kind) {
   if (kind == FileKind::device) return "a description of a sensor, which has a table [sensor]";
   if (kind == FileKind::fault) return "a fault file, which has blocks [[fault]]";
   return "a sensor file, which has a table for each kind of sensor: [imu], [dvl], ...";
+}
+
+/// Empty: the kind has several.
+std::string table_of(FileKind kind) {
+  if (kind == FileKind::rig) return "rig";
+  if (kind == FileKind::mission) return "mission";
+  if (kind == FileKind::vehicle) return "vehicle";
+  if (kind == FileKind::device) return "sensor";
+  return kind == FileKind::fault ? "fault" : "";
 }
 
 std::string_view schema_of(FileKind kind) {
@@ -127,7 +137,8 @@ Loaded<Node> read_checked(std::string_view text, const std::string& path, FileKi
   Loaded<Node> root = read_toml(text, path);
   if (!root) return root;
   if (kind_of(*root) != kind)
-    return Problems{{path, 1, 1, "/", fmt::format("expected {}", described(kind))}};
+    return Problems{without_first_table(*root, path, table_of(kind),
+                                        fmt::format("expected {}", described(kind)))};
   std::vector<wire::Protocol> described;  // the descriptions live until the end of the check
   std::vector<DescriptionPtr> descriptions;
   Problems unusable;

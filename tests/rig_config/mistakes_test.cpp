@@ -77,8 +77,23 @@ TEST(Mistakes, AFileWithoutItsFirstTableIsTakenForNoOtherKind) {
   const fs::path file = fs::path(testing::TempDir()) / "drydock-no-first-table.toml";
   std::ofstream(file) << "name = \"x\"\n" << dvl_table;
   EXPECT_THAT(lines_of(check_file(file.string())),
-              ElementsAre(EndsWith(":1:1: /: a file with blocks [[device]] has a table [rig] too; "
-                                   "it is missing")));
+              ElementsAre(EndsWith(":1:1: /: a file with blocks [[device]] has a table [rig] too, "
+                                   "and here is none")));
+  fs::remove(file);
+}
+
+TEST(Mistakes, AMisspelledFirstTableIsShownWhereItStands) {
+  namespace fs = std::filesystem;
+  const fs::path file = fs::path(testing::TempDir()) / "drydock-misspelled-table.toml";
+  std::ofstream(file) << "# a rig\n[rigg]\nname = \"x\"\n" << dvl_table;
+  EXPECT_THAT(lines_of(check_file(file.string())),
+              ElementsAre(EndsWith(":2:2: /rigg: a file with blocks [[device]] has a table [rig] "
+                                   "too, and here is none (did you mean 'rig'?)")));
+  const auto loaded = load_rig(file.string());
+  ASSERT_TRUE(loaded.has_error());
+  EXPECT_THAT(lines_of(loaded.error()),
+              ElementsAre(EndsWith(":2:2: /rigg: expected a rig file, which has a table [rig] "
+                                   "(did you mean 'rig'?)")));
   fs::remove(file);
 }
 
