@@ -37,6 +37,14 @@ nlohmann::json run_for_json(std::string command, const std::optional<std::string
   return good ? nlohmann::json::parse(text, nullptr, false) : nlohmann::json{};
 }
 
+std::vector<std::string> node_command(const std::string& script,
+                                      const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{"env", "NODE_PATH=" + packages, "node",
+                                   DRYDOCK_SOURCE_DIR "/" + script};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return command;
+}
+
 nlohmann::json run_node(const std::string& script, const std::vector<std::string>& arguments,
                         const std::optional<std::string>& input) {
   std::string command = "NODE_PATH=" + packages + " node " DRYDOCK_SOURCE_DIR "/" + script;

@@ -16,6 +16,10 @@ bool have_node();
 /// Empty when it failed.
 nlohmann::json run_for_json(std::string command, const std::optional<std::string>& input = {});
 
+/// The program and its arguments that run a script (a path from the root of the tree).
+std::vector<std::string> node_command(const std::string& script,
+                                      const std::vector<std::string>& arguments);
+
 /// `script` is a path from the root of the tree. `input`, where given, becomes its standard input.
 /// Empty when it failed.
 nlohmann::json run_node(const std::string& script, const std::vector<std::string>& arguments,

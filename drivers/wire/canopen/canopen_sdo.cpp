@@ -23,15 +23,17 @@ ObjectEntry entry_of(const CanFrame& frame) {
 struct Data {
   std::uint32_t value;
   std::uint8_t size;
+  bool sized;
 };
 
 /// Bytes after the size are undefined and may have any value.
 std::optional<Data> expedited_data(const CanFrame& frame) {
   const unsigned command = frame.data[0];
   if ((command & expedited) == 0) return std::nullopt;
-  const unsigned unused = (command & size_indicated) != 0 ? command >> 2 & 3 : 0;
+  const bool sized = (command & size_indicated) != 0;
+  const unsigned unused = sized ? command >> 2 & 3 : 0;
   const auto value = load_le<std::uint32_t>(frame.data, 4) & 0xFFFFFFFFu >> 8 * unused;
-  return Data{value, static_cast<std::uint8_t>(4 - unused)};
+  return Data{value, static_cast<std::uint8_t>(4 - unused), sized};
 }
 
 CanFrame sdo_frame(std::uint32_t id, unsigned command, const ObjectEntry& entry,
@@ -60,7 +62,7 @@ std::optional<SdoRequest> decode_sdo_request(const CanFrame& frame) {
   if (specifier(frame) != client_download) return std::nullopt;
   const auto data = expedited_data(frame);
   if (!data) return std::nullopt;
-  return SdoWrite{*node, entry_of(frame), data->value, data->size};
+  return SdoWrite{*node, entry_of(frame), data->value, data->size, data->sized};
 }
 
 std::optional<SdoAbort> refuse_other_request(const CanFrame& frame) {

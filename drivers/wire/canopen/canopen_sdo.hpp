@@ -8,7 +8,7 @@
 
 /// Expedited SDO transfers of CANopen (CiA 301, 7.2.4): one exchange reads or writes up to 4 bytes
 /// of a node's object dictionary. The client asks on 600h + node; the node answers on 580h + node.
-/// Longer objects need segments; no sensor here needs them.
+/// canopen_segments.hpp has the transfers of longer objects.
 namespace drydock::wire::canopen {
 
 constexpr std::uint32_t sdo_request_base = 0x600;
@@ -32,6 +32,7 @@ struct SdoWrite {
   ObjectEntry entry;
   std::uint32_t value = 0;
   std::uint8_t size = 4;
+  bool sized = true;  ///< false: as many bytes as the object has
 };
 
 /// Answer to a read. The size is also 4 if the node does not give one.
@@ -62,8 +63,8 @@ using SdoResponse = std::variant<SdoValue, SdoWritten, SdoAbort>;
 std::optional<SdoRequest> decode_sdo_request(const CanFrame& frame);
 std::optional<SdoResponse> decode_sdo_response(const CanFrame& frame);
 
-/// The abort (05040001h, command specifier not valid) with which a node of expedited transfers
-/// answers any other request: of segments, of blocks, or shorter than 8 bytes. Empty for expedited
+/// The abort (05040001h, command specifier not valid) with which a node answers any other request:
+/// of segments without a transfer, of blocks, or shorter than 8 bytes. Empty for expedited
 /// requests, for an abort, which is not answered, and for frames of other services.
 std::optional<SdoAbort> refuse_other_request(const CanFrame& frame);
 

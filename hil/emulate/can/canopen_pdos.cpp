@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hil/emulate/can/canopen_codes.hpp"
+
 namespace drydock::emulate {
 namespace {
 
@@ -9,97 +11,152 @@ using wire::canopen::ObjectEntry;
 using wire::canopen::SdoValue;
 using wire::canopen::SdoWrite;
 
-constexpr std::uint32_t taken = 0, wrong_size = 0x06070010, out_of_range_value = 0x06090030,
-                        cannot_be_mapped = 0x06040041;
+constexpr std::uint8_t type_subindex = 2, inhibit_subindex = 3, reserved_subindex = 4,
+                       timer_subindex = 5;
+constexpr std::uint32_t first_sent = 0x180, first_taken = 0x200, apart = 0x100;
+constexpr std::size_t most_bits = 64;
+
+/// Identifiers that CiA 301 keeps for other services (its table of restricted COB-IDs).
+bool is_restricted(std::uint32_t id) {
+  struct Range {
+    std::uint32_t first, last;
+  };
+  constexpr std::array<Range, 7> kept{{{0x000, 0x07F},
+                                       {0x101, 0x180},
+                                       {0x581, 0x5FF},
+                                       {0x601, 0x67F},
+                                       {0x6E0, 0x6FF},
+                                       {0x701, 0x77F},
+                                       {0x780, 0x7FF}}};
+  return std::ranges::any_of(kept, [&](const Range& r) { return id >= r.first && id <= r.last; });
+}
+
+/// Entries of nothing, for places of a taken PDO that are not for this node (CiA 301: 0001h to
+/// 0007h, the data types).
+bool is_dummy(std::uint32_t object) {
+  constexpr std::array<std::uint32_t, 7> dummies{0x00010001, 0x00020008, 0x00030010, 0x00040020,
+                                                 0x00050008, 0x00060010, 0x00070020};
+  return (object & 0xFF) % 8 == 0 && std::ranges::find(dummies, object) != dummies.end();
+}
+
+std::uint32_t set_cob_id(CanopenPdo& pdo, const SdoWrite& request) {
+  if (request.size != 4) return sdo::wrong_length;
+  const std::uint32_t id = request.value & CanopenPdo::id_bits;
+  const bool stays_valid = pdo.is_valid() && (request.value & CanopenPdo::invalid_bit) == 0;
+  const bool is_long = (request.value & CanopenPdo::extended_bit) != 0;
+  if (is_long || is_restricted(id) || (stays_valid && id != pdo.id())) return sdo::beyond_range;
+  pdo.cob_id = request.value;
+  return sdo::taken;
+}
+
+std::uint32_t set_type(CanopenPdo& pdo, const SdoWrite& request) {
+  if (request.size != 1) return sdo::wrong_length;
+  CanopenPdo wanted;
+  wanted.type = static_cast<std::uint8_t>(request.value);
+  if (!wanted.is_synchronous() && request.value < CanopenPdo::by_the_profile)
+    return sdo::beyond_range;
+  pdo.type = wanted.type;
+  return sdo::taken;
+}
 
 }  // namespace
 
-void CanopenPdos::reset(std::uint8_t type) {
-  pdos_.fill({});
-  for (Pdo& pdo : pdos_) pdo.type = type;
+std::size_t CanopenPdo::bits() const {
+  std::size_t all = 0;
+  for (std::size_t i = 0; i < objects; ++i) all += mapping[i] & 0xFF;
+  return all;
 }
 
-std::uint32_t CanopenPdos::id(std::size_t pdo) const {
-  constexpr std::uint32_t apart = 0x100;
-  return first_id_ + apart * static_cast<std::uint32_t>(pdo);
+CanopenPdos::CanopenPdos(const Kind& kind)
+    : kind_(kind),
+      parameters_(kind.direction == Direction::sent ? 0x1800 : 0x1400),
+      mappings_(kind.direction == Direction::sent ? 0x1A00 : 0x1600) {
+  reset();
 }
 
-bool CanopenPdos::any_synchronous(std::size_t count) const {
-  return std::any_of(pdos_.begin(), pdos_.begin() + static_cast<std::ptrdiff_t>(count),
-                     [](const Pdo& pdo) { return pdo.is_synchronous(); });
+void CanopenPdos::reset() {
+  const std::uint32_t first = kind_.direction == Direction::sent ? first_sent : first_taken;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const PdoMapping& mapping = kind_.delivered[i];
+    pdos_[i] = {};
+    pdos_[i].cob_id = first + apart * static_cast<std::uint32_t>(i) + kind_.node;
+    pdos_[i].type = kind_.type;
+    pdos_[i].objects = static_cast<std::uint8_t>(mapping.size());
+    std::ranges::copy(mapping, pdos_[i].mapping.begin());
+  }
 }
 
-bool CanopenPdos::any_by_time(std::size_t count) const {
-  return std::any_of(pdos_.begin(), pdos_.begin() + static_cast<std::ptrdiff_t>(count),
-                     [](const Pdo& pdo) { return !pdo.is_synchronous(); });
-}
-
-bool CanopenPdos::due_on_sync(std::size_t place) {
-  Pdo& pdo = pdos_[place];
-  if (!pdo.is_synchronous() || ++pdo.syncs < pdo.type) return false;
-  pdo.syncs = 0;
-  return true;
-}
-
-std::optional<SdoValue> CanopenPdos::read(const ObjectEntry& entry,
-                                          std::span<const PdoMapping> mappings) const {
+std::optional<SdoValue> CanopenPdos::read(const ObjectEntry& entry) const {
   const std::size_t place = entry.index & 0xFF;
   const unsigned group = entry.index & 0xFF00;
-  if ((group != parameters_ && group != mappings_) || place >= mappings.size()) return {};
-  const Pdo& pdo = pdos_[place];
-  const auto value = [&](std::size_t v, std::uint8_t size) {
-    return SdoValue{0, entry, static_cast<std::uint32_t>(v), size};
+  if ((group != parameters_ && group != mappings_) || place >= size()) return {};
+  const CanopenPdo& pdo = pdos_[place];
+  const auto value = [&](std::uint32_t v, std::uint8_t bytes) {
+    return SdoValue{0, entry, v, bytes};
   };
   if (group == mappings_) {
-    const PdoMapping mapping = mappings[place];
-    if (entry.subindex == 0) return value(pdo.mapped ? mapping.size() : 0, 1);
-    if (entry.subindex > mapping.size()) return {};
-    return value(mapping[entry.subindex - 1u], 4);
+    if (entry.subindex == 0) return value(pdo.objects, 1);
+    if (entry.subindex > CanopenPdo::most_objects) return {};
+    return value(pdo.mapping[entry.subindex - 1u], 4);
   }
+  const bool timed = times_are_there();
   switch (entry.subindex) {
-    case 0: return value(2, 1);
-    case 1: return value(id(place) | (pdo.valid ? 0 : invalid_bit), 4);
-    case 2: return value(pdo.type, 1);
+    case 0: return value(timed ? timer_subindex : type_subindex, 1);
+    case 1: return value(pdo.cob_id, 4);
+    case type_subindex: return value(pdo.type, 1);
+    case inhibit_subindex: return timed ? std::optional(value(pdo.inhibit, 2)) : std::nullopt;
+    case timer_subindex: return timed ? std::optional(value(pdo.timer_ms, 2)) : std::nullopt;
     default: return {};
   }
 }
 
-std::optional<std::uint32_t> CanopenPdos::write(const SdoWrite& request,
-                                                std::span<const PdoMapping> mappings) {
+std::optional<std::uint32_t> CanopenPdos::write(const SdoWrite& request) {
   const std::size_t place = request.entry.index & 0xFF;
   const unsigned group = request.entry.index & 0xFF00;
-  if (place >= mappings.size() || !read(request.entry, mappings)) return {};
-  if (group == mappings_) return set_mapping(pdos_[place], mappings[place], request);
+  if (place >= size() || !read(request.entry)) return {};
+  if (group == mappings_) return set_mapping(pdos_[place], request);
   if (request.entry.subindex == 0) return {};
-  return set_parameter(pdos_[place], place, request);
+  return set_parameter(pdos_[place], request);
 }
 
-std::uint32_t CanopenPdos::set_parameter(Pdo& pdo, std::size_t place, const SdoWrite& request) {
-  if (request.entry.subindex == 1) {
-    if (request.size != 4) return wrong_size;
-    if ((request.value & id_bits) != id(place)) return out_of_range_value;
-    pdo.valid = (request.value & invalid_bit) == 0;
-    return taken;
+std::uint32_t CanopenPdos::set_parameter(CanopenPdo& pdo, const SdoWrite& request) const {
+  if (request.entry.subindex == 1) return set_cob_id(pdo, request);
+  if (request.entry.subindex == type_subindex) return set_type(pdo, request);
+  if (request.size != 2) return sdo::wrong_length;
+  const auto wanted = static_cast<std::uint16_t>(request.value);
+  if (request.entry.subindex == timer_subindex) {
+    pdo.timer_ms = wanted;
+  } else if (pdo.is_valid() && wanted != pdo.inhibit) {
+    return sdo::not_in_this_state;
+  } else {
+    pdo.inhibit = wanted;
   }
-  if (request.size != 1) return wrong_size;
-  constexpr std::uint32_t first_event_driven = 0xFE;
-  const bool synchronous = request.value >= on_each_sync && request.value <= last_synchronous;
-  if (!synchronous && request.value < first_event_driven) return out_of_range_value;
-  pdo.type = static_cast<std::uint8_t>(request.value);
-  pdo.syncs = 0;
-  return taken;
+  return sdo::taken;
 }
 
-/// Written again by masters that write all they know. Another mapping is refused.
-std::uint32_t CanopenPdos::set_mapping(Pdo& pdo, PdoMapping mapping, const SdoWrite& request) {
-  if (request.entry.subindex == 0) {
-    if (request.size != 1) return wrong_size;
-    if (request.value != 0 && request.value != mapping.size()) return cannot_be_mapped;
-    pdo.mapped = request.value != 0;
-    return taken;
+bool CanopenPdos::may_be_mapped(std::uint32_t object) const {
+  const bool dummy = kind_.direction == Direction::taken && is_dummy(object);
+  return dummy || std::ranges::find(kind_.mappable, object) != kind_.mappable.end();
+}
+
+/// CiA 301, 7.5.2.36: switch the PDO off, count to 0, the entries, the count, switch it on.
+std::uint32_t CanopenPdos::set_mapping(CanopenPdo& pdo, const SdoWrite& request) const {
+  const bool is_count = request.entry.subindex == 0;
+  if (request.size != (is_count ? 1 : 4)) return sdo::wrong_length;
+  if (pdo.is_valid() || (!is_count && pdo.objects != 0)) return sdo::not_in_this_state;
+  if (!is_count) {
+    if (!may_be_mapped(request.value)) return sdo::cannot_be_mapped;
+    pdo.mapping[request.entry.subindex - 1u] = request.value;
+    return sdo::taken;
   }
-  if (request.size != 4) return wrong_size;
-  return request.value == mapping[request.entry.subindex - 1u] ? taken : cannot_be_mapped;
+  if (request.value > CanopenPdo::most_objects) return sdo::pdo_too_long;
+  CanopenPdo wanted = pdo;
+  wanted.objects = static_cast<std::uint8_t>(request.value);
+  for (std::size_t i = 0; i < wanted.objects; ++i)
+    if (!may_be_mapped(wanted.mapping[i])) return sdo::cannot_be_mapped;
+  if (wanted.bits() > most_bits) return sdo::pdo_too_long;
+  pdo.objects = wanted.objects;
+  return sdo::taken;
 }
 
 }  // namespace drydock::emulate

@@ -22,27 +22,41 @@ bool is_known(std::uint16_t index) {
 // The mapping of TPDO1 for each form.
 constexpr std::array<std::uint32_t, 2> integer_and_status{0x91300120, 0x61500108};
 constexpr std::array<std::uint32_t, 1> real{0x61300120};
-using Mappings = std::array<std::span<const std::uint32_t>, 1>;
+using Mappings = std::array<PdoMapping, 1>;
 constexpr Mappings with_status{integer_and_status},
     integer_alone{std::span(integer_and_status).first(1)}, real_alone{real};
+constexpr std::array<std::uint32_t, 3> mappable{0x61300120, 0x61500108, 0x91300120};
+
+std::span<const PdoMapping> sent_in(pressure::Form form) {
+  switch (form) {
+    case pressure::Form::integer_and_status: return with_status;
+    case pressure::Form::integer: return integer_alone;
+    case pressure::Form::real32: return real_alone;
+  }
+  return {};
+}
 
 class Cia404Pressure final : public CanopenDevice {
  public:
   explicit Cia404Pressure(const DeviceSetup& setup)
-      : CanopenDevice(setup, measuring_device_with_analogue_input),
+      : CanopenDevice(setup, {measuring_device_with_analogue_input,
+                              "Drydock emulated pressure transmitter",
+                              sent_in(setup.pressure_scale().form),
+                              {},
+                              mappable,
+                              {}}),
         errors_(setup.primary_errors()),
         scale_(setup.pressure_scale()),
         zero_pa_(setup.config.pressure.gauge ? setup.trajectory.ocean().surface_pressure_pa() : 0) {
   }
 
  private:
-  void report(Stamp at, Wire& out) override {
+  void measure(Stamp at, Wire&) override {
     const auto ideal = sensor::ideal_depth(trajectory().at(at), trajectory().ocean(), mounting());
     reading_pa_ = errors_.apply(*ideal.pressure_pa, at) - zero_pa_;
-    out.send(pressure::encode(node(), reading_pa_, scale_));
   }
 
-  std::optional<Object> object(const wire::canopen::ObjectEntry& entry) const override {
+  std::optional<Object> object(const Entry& entry) const override {
     if (entry.subindex == 0 && is_known(entry.index)) return Object{1, 1};
     if (entry.subindex != 1) return {};
     switch (entry.index) {
@@ -53,15 +67,6 @@ class Cia404Pressure final : public CanopenDevice {
       case integer_index: return value_as(pressure::Form::integer_and_status);
       default: return {};
     }
-  }
-
-  std::span<const Mapping> pdos() const override {
-    switch (scale_.form) {
-      case pressure::Form::integer_and_status: return with_status;
-      case pressure::Form::integer: return integer_alone;
-      case pressure::Form::real32: return real_alone;
-    }
-    return {};
   }
 
   wire::CanFrame in_form(pressure::Form form) const {

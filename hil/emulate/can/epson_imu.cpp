@@ -21,9 +21,13 @@ constexpr std::array<std::uint32_t, 4> rates{0x21000010, 0x71300110, 0x71300210,
 constexpr std::array<std::uint32_t, 4> forces{0x21000010, 0x71300410, 0x71300510, 0x71300610};
 constexpr std::array<std::uint32_t, 4> temperature_and_status{0x21000010, 0x71300710, 0x20220410,
                                                               0x20220110};
-constexpr std::array<std::span<const std::uint32_t>, 3> with_status{rates, forces,
-                                                                    temperature_and_status},
+constexpr std::array<PdoMapping, 3> with_status{rates, forces, temperature_and_status},
     without_status{rates, forces, std::span(temperature_and_status).first(2)};
+
+constexpr std::array<std::uint32_t, 10> mappable{0x21000010, 0x71300110, 0x71300210, 0x71300310,
+                                                 0x71300410, 0x71300510, 0x71300610, 0x71300710,
+                                                 0x20220410, 0x20220110};
+constexpr std::span<const std::uint32_t> mappable_without_status = std::span(mappable).first(8);
 
 constexpr std::uint16_t out_of_range = 0xFF00;  // CiA 301: device specific
 constexpr std::uint8_t manufacturer_error = 0x81;
@@ -32,16 +36,24 @@ constexpr double water_k = 283.15;
 
 std::array<double, 3> components(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
+CanopenProfile profile_of(const wire::epson::Model& model) {
+  if (model.has_status)
+    return {measuring_device, "Drydock emulated M-G552PC7", with_status, {}, mappable, {}};
+  return {measuring_device,        "Drydock emulated M-G550PC2",
+          without_status,          {},
+          mappable_without_status, {}};
+}
+
 class EpsonImu final : public CanopenDevice {
  public:
   EpsonImu(const DeviceSetup& setup, const wire::epson::Model& model)
-      : CanopenDevice(setup, measuring_device),
+      : CanopenDevice(setup, profile_of(model)),
         model_(model),
         ideal_(setup.imu_sampler()),
         errors_(setup.imu_errors()) {}
 
  private:
-  void report(Stamp at, Wire& out) override {
+  void measure(Stamp at, Wire& out) override {
     const auto measured = errors_.apply(ideal_.at(at));
     wire::epson::Sample sample;
     sample.node = node();
@@ -54,10 +66,9 @@ class EpsonImu final : public CanopenDevice {
     if (model_.has_status) condition.status = 0;
     const auto halves = encode(sample, model_);
     last_ = {halves[0], halves[1], encode(condition)};
-    for (const wire::CanFrame& frame : last_) out.send(frame);
   }
 
-  std::optional<Object> object(const wire::canopen::ObjectEntry& entry) const override {
+  std::optional<Object> object(const Entry& entry) const override {
     const bool is_unit = entry.index == unit_index;
     if (entry.subindex == 0) {
       if (is_unit || entry.index == value_index) return Object{units.size(), 1};
@@ -69,20 +80,16 @@ class EpsonImu final : public CanopenDevice {
   }
 
   /// All mapped objects have 16 bits.
-  std::optional<Object> as_last_sent(const wire::canopen::ObjectEntry& entry) const {
+  std::optional<Object> as_last_sent(const Entry& entry) const {
     const std::uint32_t wanted = std::uint32_t{entry.index} << 8 | entry.subindex;
     for (std::size_t pdo = 0; pdo < last_.size(); ++pdo) {
-      const Mapping mapping = pdos()[pdo];
+      const PdoMapping mapping = (model_.has_status ? with_status : without_status)[pdo];
       for (std::size_t place = 0; place < mapping.size(); ++place) {
         if (mapping[place] >> 8 != wanted) continue;
         return Object{wire::load_le<std::uint16_t>(last_[pdo].data, 2 * place), 2};
       }
     }
     return {};
-  }
-
-  std::span<const Mapping> pdos() const override {
-    return model_.has_status ? with_status : without_status;
   }
 
   wire::epson::Model model_;

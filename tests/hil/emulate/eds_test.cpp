@@ -39,6 +39,7 @@ struct Variable {
 };
 
 constexpr std::uint8_t own_node = 1;
+constexpr std::string_view visible_string = "0x0009", first_error = "1003sub1";
 
 unsigned bits_of(const std::string& data_type) {
   switch (std::stoul(data_type, nullptr, 16)) {
@@ -61,7 +62,8 @@ std::vector<Variable> variables_of(const std::string& name) {
   std::vector<Variable> variables;
   for (const auto& [title, section] : sections_of(name)) {
     const auto type = section.find("DataType");
-    if (type == section.end()) continue;
+    if (type == section.end() || type->second == visible_string) continue;
+    if (title == first_error) continue;  // there once there was an error
     Variable v;
     v.entry.index = static_cast<std::uint16_t>(std::stoul(title.substr(0, 4), nullptr, 16));
     if (title.size() > 4) {
@@ -77,7 +79,7 @@ std::vector<Variable> variables_of(const std::string& name) {
 }
 
 bool is_mapping(const Variable& v) {
-  return (v.entry.index & 0xFF00) == 0x1A00 && v.entry.subindex != 0;
+  return (v.entry.index & 0xFF00) == 0x1A00 && v.entry.subindex != 0 && v.value != 0U;
 }
 
 /// The entry in a mapping parameter, and its number of bits.
