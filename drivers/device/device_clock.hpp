@@ -36,21 +36,30 @@ class DeviceClock {
     }
     const auto seen = by_arrival - Stamp{elapsed_};
     const auto parted = offset_ ? (by_arrival - last_arrival_) / drift_divisor : seen.zero();
-    offset_ = offset_ ? std::min(seen, *offset_ + parted) : seen;
+    offset_ = offset_ ? believed(seen, *offset_ + parted) : seen;
     last_arrival_ = by_arrival;
-    return {elapsed_, Stamp{elapsed_} + *offset_};
+    return {elapsed_, std::min(by_arrival, Stamp{elapsed_} + *offset_)};
   }
 
   void reset() { offset_.reset(); }
 
  private:
+  /// A tick that seems to come far earlier than all before is damaged, unless the next one agrees.
+  std::chrono::nanoseconds believed(std::chrono::nanoseconds seen, std::chrono::nanoseconds least) {
+    const bool early = seen < least - bus_;
+    const bool confirmed = early_ && std::chrono::abs(seen - *early_) < bus_;
+    early_ = early ? std::optional(seen) : std::nullopt;
+    return early && !confirmed ? least : std::min(seen, least);
+  }
+
   static constexpr std::chrono::seconds restart_{1};
+  static constexpr std::chrono::milliseconds bus_{10};  ///< a bus delays a message by less
   static constexpr int drift_divisor = 10'000;
 
   std::chrono::nanoseconds tick_;
   std::uint32_t last_ticks_ = 0;
   std::chrono::nanoseconds elapsed_{0};
-  std::optional<std::chrono::nanoseconds> offset_;
+  std::optional<std::chrono::nanoseconds> offset_, early_;
   Stamp last_arrival_{};
 };
 
