@@ -220,6 +220,9 @@ void LockstepBench::add_to_bus(const rig_config::DeviceConfig& config, const lin
           for (auto* driver : bus.drivers) driver->receive(frame, at);
           if (pilot_) pilot_->receive(link, frame, at);
         });
+    bus.bus->set_on_told([this, &bus](std::size_t sender, std::string_view what, Stamp at) {
+      on_told_(bus.names.at(sender), what, at);
+    });
   }
   bus.bus->add(or_throw(faults_.device(config)));
   bus.names.push_back(config.name);

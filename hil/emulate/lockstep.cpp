@@ -64,6 +64,9 @@ struct EmulatedBus::Node final : Wire {
   void send(const wire::CanFrame& frame) override {
     bus.pacer_.queue(frame, index, now, device->sampled_at());
   }
+  void tell(std::string_view what) override {
+    bus.on_told_(static_cast<std::size_t>(index), what, now);
+  }
   void unplug() override { bus.cut_off_by_ += std::exchange(cuts_off, true) ? 0 : 1; }
   void plug() override { bus.cut_off_by_ -= std::exchange(cuts_off, false) ? 1 : 0; }
 

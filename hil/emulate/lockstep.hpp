@@ -72,6 +72,10 @@ class EmulatedBus final : public shell::Actor {
   EmulatedBus(unsigned bit_rate, Deliver deliver);
   ~EmulatedBus() override;
 
+  /// Called with what another node has told the node `sender`.
+  using OnTold = std::function<void(std::size_t sender, std::string_view what, Stamp at)>;
+  void set_on_told(OnTold hook) { on_told_ = std::move(hook); }
+
   void add(std::unique_ptr<EmulatedDevice> device);
   void receive(const wire::CanFrame& frame, Stamp now);  ///< from a driver
   void faults_changed();  ///< its devices may have to act at another time
@@ -85,6 +89,7 @@ class EmulatedBus final : public shell::Actor {
 
   CanPacer pacer_;
   Deliver deliver_;
+  OnTold on_told_ = [](std::size_t, std::string_view, Stamp) {};
   int cut_off_by_ = 0;  ///< number of nodes whose faults make the drivers' controller bus-off
   std::vector<std::unique_ptr<Node>> nodes_;
 };

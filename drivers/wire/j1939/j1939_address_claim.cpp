@@ -39,6 +39,12 @@ std::optional<CanFrame> AddressClaim::obey(const CommandedAddress& command, Time
   return claim(command.address, now);
 }
 
+std::optional<CanFrame> AddressClaim::rename(std::uint64_t name, Time now) {
+  name_ = name;
+  if (state_ == State::idle) return std::nullopt;
+  return claim(state_ == State::cannot_claim ? preferred_ : address_, now);
+}
+
 std::optional<CanFrame> AddressClaim::tick(Time now) {
   if (!deadline_ || now < *deadline_) return std::nullopt;
   deadline_.reset();

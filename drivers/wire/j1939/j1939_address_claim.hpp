@@ -30,6 +30,8 @@ class AddressClaim {
   std::optional<CanFrame> receive(const CanFrame& frame, Time now);
   /// Claims the commanded address. Empty if the command is for another NAME.
   std::optional<CanFrame> obey(const CommandedAddress& command, Time now);
+  /// Claims its address anew under another NAME.
+  std::optional<CanFrame> rename(std::uint64_t name, Time now);
   std::optional<CanFrame> tick(Time now);  ///< call it at or after deadline()
   std::optional<Time> deadline() const { return deadline_; }
 

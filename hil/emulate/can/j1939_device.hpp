@@ -22,6 +22,8 @@ class J1939Device : public SamplingDevice {
   /// Empty: it has none now, and must be silent.
   std::optional<std::uint8_t> own_address() const { return node_.address(); }
 
+  void rename(std::uint64_t name, Stamp now, Wire& out) { node_.rename(name, now, out); }
+
   /// Receives a frame of the bus while the device has an address.
   virtual void hear(const wire::CanFrame&, Stamp /*now*/, std::uint8_t /*address*/, Wire&) {}
 

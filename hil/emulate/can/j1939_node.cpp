@@ -58,6 +58,10 @@ void J1939Node::receive(const wire::CanFrame& frame, Stamp now, Wire& out) {
   receive_packet(*id, frame.payload(), now, out);
 }
 
+void J1939Node::rename(std::uint64_t name, Stamp now, Wire& out) {
+  send(claim_.rename(name, now.time_since_epoch()), out);
+}
+
 void J1939Node::receive_packet(const wire::j1939::Identifier& id, wire::Bytes payload, Stamp now,
                                Wire& out) {
   transport_.set_address(claim_.address());

@@ -31,6 +31,9 @@ class J1939Node {
   void tick(Stamp now, Wire& out);
   void receive(const wire::CanFrame& frame, Stamp now, Wire& out);
 
+  /// Claims its address under another NAME.
+  void rename(std::uint64_t name, Stamp now, Wire& out);
+
   /// Empty: it has none now, and must be silent.
   std::optional<std::uint8_t> address() const { return claim_.address(); }
 

@@ -24,7 +24,7 @@ class Nmea2000Actuators final : public Nmea2000Device {
                    OrderedActuator{setup, measurement::propeller_number}} {}
 
  private:
-  void report(Stamp at, std::uint8_t address, Wire& out) override {
+  void measure(Stamp at, std::uint8_t address, Wire& out) override {
     for (OrderedActuator& actuator : actuators_)
       if (actuator.times_out(at, patience_)) actuator.rest(at);
     const auto ideal = sensor::ideal_actuators(trajectory().at(at));

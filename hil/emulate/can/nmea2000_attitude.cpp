@@ -18,7 +18,7 @@ class Nmea2000Attitude final : public Nmea2000Device {
       : Nmea2000Device(setup, compass), readings_(setup) {}
 
  private:
-  void report(Stamp at, std::uint8_t address, Wire& out) override {
+  void measure(Stamp at, std::uint8_t address, Wire& out) override {
     const auto reading = readings_.at(trajectory().at(at), mounting());
     const auto sequence = static_cast<std::uint8_t>(samples() % attitude_sequences);
 

@@ -24,7 +24,7 @@ class Nmea2000Depth final : public Nmea2000Device {
         instance_(static_cast<std::uint8_t>(setup.config.instance.value_or(0))) {}
 
  private:
-  void report(Stamp at, std::uint8_t address, Wire& out) override {
+  void measure(Stamp at, std::uint8_t address, Wire& out) override {
     const auto truth = trajectory().at(at);
     const auto ideal = sensor::ideal_depth(truth, trajectory().ocean(), mounting());
     send_pressure(*ideal.pressure_pa, at, address, out);

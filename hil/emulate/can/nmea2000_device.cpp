@@ -12,8 +12,7 @@ namespace {
 
 namespace j1939 = wire::j1939;
 
-constexpr std::uint32_t acknowledgement_pgn = 59392, lists_pgn = 126464, product_pgn = 126996,
-                        configuration_pgn = 126998;
+constexpr std::uint32_t acknowledgement_pgn = 59392;
 constexpr std::array always_sent{acknowledgement_pgn,
                                  j1939::address_claim_pgn,
                                  wire::nmea2000::GroupFunction::pgn,
@@ -31,11 +30,10 @@ void put_text(std::span<std::uint8_t> field, std::string_view text) {
   std::ranges::copy(text.substr(0, field.size()), field.begin());
 }
 
-/// Length with these two bytes, ASCII, characters.
-void append_text(std::vector<std::uint8_t>& message, std::string_view text) {
-  constexpr std::uint8_t ascii = 1;
+/// Length with these two bytes, encoding, characters.
+void append_text(std::vector<std::uint8_t>& message, std::uint8_t encoding, std::string_view text) {
   message.push_back(static_cast<std::uint8_t>(text.size() + 2));
-  message.push_back(ascii);
+  message.push_back(encoding);
   message.insert(message.end(), text.begin(), text.end());
 }
 
@@ -69,7 +67,7 @@ void Nmea2000Device::answer(const j1939::Request& request, std::uint8_t address,
     case product_pgn: return tell_product(address, out);
     case configuration_pgn: return tell_configuration(address, out);
     case heartbeat_pgn: return send_heartbeat(address, out);
-    case lists_pgn: return tell_lists({usual_priority, lists_pgn, asker, address}, out);
+    case lists_pgn: return tell_lists({usual_priority, lists_pgn, asker, address}, {}, out);
     default: break;
   }
   if (to_all || std::ranges::find(product_.sends, request.pgn) != product_.sends.end()) return;
@@ -82,11 +80,11 @@ void Nmea2000Device::answer(const j1939::Request& request, std::uint8_t address,
   out.send(frame);
 }
 
-void Nmea2000Device::tell_product(std::uint8_t address, Wire& out) {
+std::vector<std::uint8_t> Nmea2000Device::product_message() const {
   constexpr std::uint16_t version_2_100 = 2100, no_product = 0xFFFF;
   constexpr std::size_t texts = 4, text_size = 32;
   constexpr std::uint8_t not_certified = 0xFF, load_50_ma = 1;
-  std::array<std::uint8_t, 4 + text_size * texts + 2> message{};
+  std::vector<std::uint8_t> message(4 + text_size * texts + 2);
   wire::store_le<std::uint16_t>(message, 0, version_2_100);
   wire::store_le<std::uint16_t>(message, 2, no_product);
   const std::string serial = fmt::format("{}", serial_number_);
@@ -95,26 +93,42 @@ void Nmea2000Device::tell_product(std::uint8_t address, Wire& out) {
     put_text(std::span(message).subspan(4 + text_size * i, text_size), all.at(i));
   message[message.size() - 2] = not_certified;
   message[message.size() - 1] = load_50_ma;
-  send_packet({usual_priority, product_pgn, j1939::global_address, address}, told_++, message, out);
+  return message;
+}
+
+std::vector<std::uint8_t> Nmea2000Device::configuration_message() const {
+  constexpr std::uint8_t ascii = 1;
+  std::vector<std::uint8_t> message;
+  for (const auto& text : settings_.descriptions) append_text(message, text.encoding, text.bytes);
+  append_text(message, ascii, "emulated by Drydock");
+  return message;
+}
+
+void Nmea2000Device::tell_product(std::uint8_t address, Wire& out) {
+  send_packet({usual_priority, product_pgn, j1939::global_address, address}, told_++,
+              product_message(), out);
 }
 
 void Nmea2000Device::tell_configuration(std::uint8_t address, Wire& out) {
-  std::vector<std::uint8_t> message;
-  for (const std::string_view text : {"", "", "emulated by Drydock"}) append_text(message, text);
-  send_packet({usual_priority, configuration_pgn, j1939::global_address, address}, told_++, message,
-              out);
+  send_packet({usual_priority, configuration_pgn, j1939::global_address, address}, told_++,
+              configuration_message(), out);
 }
 
-void Nmea2000Device::tell_lists(const j1939::Identifier& id, Wire& out) {
+void Nmea2000Device::tell_lists(const j1939::Identifier& id, std::optional<std::uint8_t> which,
+                                Wire& out) {
   constexpr std::uint8_t sent = 0, taken = 1;
-  std::vector<std::uint8_t> message{sent};
-  append_pgns(message, always_sent);
-  append_pgns(message, product_.sends);
-  send_packet(id, told_++, message, out);
-  message = {taken};
-  append_pgns(message, always_taken);
-  append_pgns(message, product_.takes);
-  send_packet(id, told_++, message, out);
+  if (which.value_or(sent) == sent) {
+    std::vector<std::uint8_t> message{sent};
+    append_pgns(message, always_sent);
+    append_pgns(message, product_.sends);
+    send_packet(id, told_++, message, out);
+  }
+  if (which.value_or(taken) == taken) {
+    std::vector<std::uint8_t> message{taken};
+    append_pgns(message, always_taken);
+    append_pgns(message, product_.takes);
+    send_packet(id, told_++, message, out);
+  }
 }
 
 }  // namespace drydock::emulate

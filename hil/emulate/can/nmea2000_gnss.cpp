@@ -104,7 +104,7 @@ class Nmea2000Gnss final : public Nmea2000Device {
   }
 
  private:
-  void report(Stamp at, std::uint8_t address, Wire& out) override {
+  void measure(Stamp at, std::uint8_t address, Wire& out) override {
     const GnssEpoch epoch = sensor_.measure(trajectory().at(at), mounting());
     const auto from = [&](auto message) {
       message.source = address;

@@ -22,7 +22,7 @@ class Nmea2000Log final : public Nmea2000Device {
         samples_per_second_(std::max<std::uint64_t>(1, std::llround(setup.config.rate_hz))) {}
 
  private:
-  void report(Stamp at, std::uint8_t address, Wire& out) override {
+  void measure(Stamp at, std::uint8_t address, Wire& out) override {
     send_speed(readings_.at(trajectory(), at, mounting(), rate_hz()).x(), address, out);
     if (reports_++ % samples_per_second_ == 0) send_distance(at, address, out);
   }

@@ -24,6 +24,7 @@ struct BusRunner::Node final : Wire {
   void send(const wire::CanFrame& frame) override {
     bus.pacer_.queue(frame, index, time, device->sampled_at());
   }
+  void tell(std::string_view what) override { bus.on_told_(name, what); }
   void unplug() override { bus.cut_off_by_ += std::exchange(cuts_off, true) ? 0 : 1; }
   void plug() override { bus.cut_off_by_ -= std::exchange(cuts_off, false) ? 1 : 0; }
 

@@ -114,6 +114,7 @@ class BusRunner final : public Runner {
 
   void add(std::string name, std::unique_ptr<EmulatedDevice> device);
   RealTimeEmulator::Counters counters() const override;
+  void set_on_told(const RealTimeEmulator::OnTold& hook) override { on_told_ = hook; }
 
  private:
   struct Node;
@@ -134,6 +135,7 @@ class BusRunner final : public Runner {
   std::shared_ptr<link::FrameLink> bus_;  ///< null: the interface is down or gone
   std::shared_ptr<io::Signal> closed_;
   std::vector<std::unique_ptr<Node>> nodes_;
+  RealTimeEmulator::OnTold on_told_ = [](std::string_view, std::string_view) {};
 };
 
 }  // namespace drydock::emulate

@@ -77,6 +77,7 @@ class Recorder final : public Wire {
 
   void send(wire::Bytes bytes) override { messages.push_back({now, {bytes.begin(), bytes.end()}}); }
   void send(const wire::CanFrame& frame) override { frames.push_back({now, frame}); }
+  void tell(std::string_view what) override { told.emplace_back(what); }
 
   /// Lets the device act at every deadline up to `end`.
   void run(EmulatedDevice& device, Stamp end) {
@@ -96,6 +97,7 @@ class Recorder final : public Wire {
   Stamp now = start;
   std::vector<Message> messages;
   std::vector<Frame> frames;
+  std::vector<std::string> told;
 };
 
 inline std::string text(const Recorder::Message& message) {

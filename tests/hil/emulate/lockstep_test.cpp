@@ -7,6 +7,7 @@
 
 #include "drivers/wire/can/can_bits.hpp"
 #include "drivers/wire/canopen/canopen.hpp"
+#include "drivers/wire/nmea2000/fast_packet.hpp"
 #include "hil/motion/kinematic_trajectory.hpp"
 #include "tests/hil/emulate/bench.hpp"
 
@@ -167,6 +168,26 @@ TEST(EmulatedBus, ADriversFrameReachesTheNodesAfterItsTimeOnTheWire) {
               at_s(1));
   lockstep.run_until(at_s(2.005));
   EXPECT_EQ(samples, 100);
+}
+
+/// A group function that gives the heartbeat (126993) 1 s; the one of the log, 25h.
+TEST(EmulatedBus, WhatANodeWasToldIsSaidOfThatNode) {
+  const auto trajectory = surfaced_turn();
+  EmulatedBus bus(250'000, [](const wire::CanFrame&, std::size_t, const Passage&) {});
+  std::vector<std::string> told;
+  bus.set_on_told([&](std::size_t sender, std::string_view what, Stamp) {
+    told.push_back(std::to_string(sender) + ": " + std::string(what));
+  });
+  bus.add(make_emulated_device(device(DeviceKind::imu, "cia404-imu", 100), trajectory, 1).value());
+  bus.add(make_emulated_device(device(DeviceKind::emlog, "nmea2000", 10), trajectory, 1).value());
+  shell::Lockstep lockstep(start);
+  lockstep.add(bus);
+  lockstep.run_until(at_s(1));
+  const std::array<std::uint8_t, 11> asked{0, 0x11, 0xF0, 0x01, 0xE8, 3, 0, 0, 0xFF, 0xFF, 0};
+  for (std::size_t i = 0; i < wire::fast_packet_frames(asked.size()); ++i)
+    bus.receive(wire::encode_fast_packet({3, 126208, 0x25, 100}, 0, asked, i), at_s(1));
+  lockstep.run_until(at_s(1.1));
+  EXPECT_EQ(told, std::vector<std::string>{"1: interval of PGN 126993: 1000 ms"});
 }
 
 }  // namespace

@@ -168,6 +168,27 @@ TEST_F(RealTime, DevicesThatNameOneBusShareItAndHearTheDriver) {
   EXPECT_GE(depth, 2);
 }
 
+/// One frame is a fast packet that is too short for a group function.
+TEST_F(RealTime, WhatANodeOfABusWasToldIsSaid) {
+  RealTimeEmulator emulator(io_, devices_);
+  std::vector<std::string> told;
+  emulator.set_on_told([&](std::string_view name, std::string_view what) {
+    told.push_back(std::string(name) + ": " + std::string(what));
+  });
+  const std::string uri = "memory-can:emulate-told";
+  ASSERT_TRUE(emulator.start({on(uri, device(DeviceKind::emlog, "nmea2000", 5))}));
+  wire::CanFrame asked;
+  asked.id = 0x0DEDFF64;  // PGN 126208 from 64h to all
+  asked.extended = true;
+  asked.size = 8;
+  asked.data = {0, 3, 0, 0x11, 0xF0, 0xFF, 0xFF, 0xFF};
+  asio::steady_timer later(io_, std::chrono::milliseconds{500});
+  later.async_wait([&](const boost::system::error_code&) { listen_frames(uri, asked); });
+  run(emulator, std::chrono::milliseconds{800});
+  EXPECT_EQ(told, std::vector<std::string>{
+                      "nmea2000 device: a group function (126208) that is too short, not obeyed"});
+}
+
 TEST_F(RealTime, SixDevicesNeedLittleOfOneProcessor) {
   RealTimeEmulator emulator(io_, devices_);
   const std::string bus = "memory-can:six-devices";
