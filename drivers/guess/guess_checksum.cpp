@@ -19,6 +19,7 @@ constexpr std::size_t most_checked = 256;
 /// the payload alone leaves out a count or a time too.
 constexpr std::size_t furthest_start = 4, furthest_start_of_sum = 12;
 constexpr std::size_t most_behind = 2;  ///< CR LF, ETX
+constexpr std::size_t enough_frames = 3;
 
 const std::vector<Checksum>& all_checksums() {
   static const auto all = [] {
@@ -32,7 +33,6 @@ const std::vector<Checksum>& all_checksums() {
 
 /// Frames with another checksum; empty: too many. Frames that do not change prove none.
 std::optional<std::size_t> wrong_frames(const Sum& sum, std::span<const Bytes> frames) {
-  constexpr std::size_t fewest_values = 3;
   std::set<std::uint32_t> values;
   std::size_t wrong = 0, seen = 0;
   for (const Bytes frame : frames) {
@@ -40,9 +40,9 @@ std::optional<std::size_t> wrong_frames(const Sum& sum, std::span<const Bytes> f
     wrong += !value;
     if (value) values.insert(*value);
     // Three wrong ones at the beginning are hardly all damaged.
-    if (wrong * 10 > frames.size() || (++seen == 3 && wrong == 3)) return {};
+    if (wrong * 10 > frames.size() || (++seen == enough_frames && wrong == seen)) return {};
   }
-  return values.size() >= fewest_values ? std::optional(wrong) : std::nullopt;
+  return values.size() >= enough_frames ? std::optional(wrong) : std::nullopt;
 }
 
 bool end_alike(const Frames& frames, std::size_t behind) {
@@ -63,13 +63,23 @@ Frames some_of(const Frames& frames) {
 
 }  // namespace
 
-std::optional<std::uint32_t> Sum::right_in(Bytes frame) const {
+Bytes Sum::covered(Bytes frame) const {
+  if (frame.size() < from + checksum.size() + behind + 1) return {};
+  return frame.first(frame.size() - tail()).subspan(from);
+}
+
+std::uint32_t Sum::stored(Bytes frame) const {
   const std::size_t size = checksum.size();
-  if (frame.size() < from + size + behind + 1) return {};
-  const Bytes body = frame.first(frame.size() - tail()).subspan(from);
-  const Bytes stored = frame.subspan(at.value_or(from + body.size()), size);
+  const Bytes bytes = frame.subspan(at.value_or(frame.size() - tail()), size);
   std::uint32_t value = 0;
-  for (std::size_t i = 0; i < size; ++i) value = value << 8 | stored[big_endian ? i : size - 1 - i];
+  for (std::size_t i = 0; i < size; ++i) value = value << 8 | bytes[big_endian ? i : size - 1 - i];
+  return value;
+}
+
+std::optional<std::uint32_t> Sum::right_in(Bytes frame) const {
+  const Bytes body = covered(frame);
+  if (body.empty()) return {};
+  const std::uint32_t value = stored(frame);
   return checksum.of(body) == value ? std::optional(value) : std::nullopt;
 }
 
@@ -87,6 +97,23 @@ struct BestSum {
     sum = one;
     fewest = *wrong;
   }
+
+  /// With its low byte first, then last. Nearly all are wrong in the first three frames: these are
+  /// summed once for both.
+  void take_both(Sum& one) {
+    const std::array first{frames[0], frames[1], frames[2]};
+    std::array<Bytes, 3> bodies;
+    std::ranges::transform(first, bodies.begin(), [&](Bytes frame) { return one.covered(frame); });
+    const auto sums = one.checksum.of_three(bodies);
+    for (const bool big : {false, true}) {
+      one.big_endian = big;
+      bool any = false;
+      for (std::size_t k = 0; k < first.size(); ++k)
+        any = any || (!bodies[k].empty() && one.stored(first[k]) == sums[k]);
+      if (any) take(one);
+      if (one.checksum.size() == 1 || fewest == 0) return;
+    }
+  }
 };
 
 /// Right in nine of ten frames by chance is one of hundred CRCs sooner than a plain sum. The wider
@@ -98,11 +125,12 @@ std::optional<Sum> guess_sum_in_front(const Frames& some) {
   std::ranges::copy_if(all_checksums(), std::back_inserter(plain), std::not_fn(&Checksum::is_crc));
   std::ranges::stable_sort(plain, std::ranges::greater{}, &Checksum::size);
   for (const Checksum& checksum : plain) {
-    for (std::size_t at = first; at <= furthest_in_front; ++at)
-      for (std::size_t between = 0; between <= most_between; ++between)
-        for (const bool big : {false, true})
-          if (!big || checksum.size() > 1)
-            best.take({checksum, big, at + checksum.size() + between, 0, at});
+    Sum one{.checksum = checksum};
+    for (one.at = first; *one.at <= furthest_in_front; ++*one.at)
+      for (std::size_t between = 0; between <= most_between; ++between) {
+        one.from = *one.at + checksum.size() + between;
+        best.take_both(one);
+      }
   }
   return best.sum;
 }
@@ -110,18 +138,18 @@ std::optional<Sum> guess_sum_in_front(const Frames& some) {
 }  // namespace
 
 std::optional<Sum> guess_checksum(const Frames& frames) {
+  if (frames.size() < enough_frames) return {};
   const Frames some = some_of(frames);
   BestSum best{some};
   for (std::size_t behind = 0; behind <= most_behind; ++behind) {
     if (!end_alike(frames, behind)) continue;
-    for (const Checksum& checksum : all_checksums())
-      for (std::size_t from = 0;
-           from <= (checksum.is_crc() ? furthest_start : furthest_start_of_sum); ++from)
-        for (const bool big : {false, true}) {
-          if (big && checksum.size() == 1) continue;
-          best.take({checksum, big, from, behind});
-          if (best.fewest == 0) return best.sum;
-        }
+    for (const Checksum& checksum : all_checksums()) {
+      const std::size_t furthest = checksum.is_crc() ? furthest_start : furthest_start_of_sum;
+      for (Sum one{.checksum = checksum, .behind = behind}; one.from <= furthest; ++one.from) {
+        best.take_both(one);
+        if (best.fewest == 0) return best.sum;
+      }
+    }
   }
   return best.sum ? best.sum : guess_sum_in_front(some);
 }

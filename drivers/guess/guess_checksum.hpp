@@ -21,6 +21,10 @@ struct Sum {
   /// Bytes of the frame behind its fields.
   std::size_t tail() const { return (at ? 0 : checksum.size()) + behind; }
 
+  /// The bytes of a frame that it covers; empty: the frame is too short.
+  wire::Bytes covered(wire::Bytes frame) const;
+  /// What a frame that is not too short says of it.
+  std::uint32_t stored(wire::Bytes frame) const;
   /// The checksum of a frame where it is right.
   std::optional<std::uint32_t> right_in(wire::Bytes frame) const;
   bool is_right(wire::Bytes frame) const { return right_in(frame).has_value(); }

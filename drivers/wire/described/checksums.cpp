@@ -104,8 +104,32 @@ std::uint32_t Checksum::finished(std::uint32_t sum) const {
   return sum & (0xFFFFFFFFu >> (32 - width_));
 }
 
-std::uint32_t Checksum::of(Bytes bytes, Bytes extra) const {
+template <Checksum::Way way>
+std::uint32_t Checksum::crc_of(Bytes bytes, Bytes extra) const {
   std::uint32_t crc = start_;
+  for (const Bytes part : {bytes, extra})
+    for (const std::uint8_t byte : part) crc = after<way>(crc, byte);
+  return out_of(crc);
+}
+
+template <Checksum::Way way>
+std::array<std::uint32_t, 3> Checksum::crcs_of(const std::array<Bytes, 3>& each) const {
+  const auto [a, b, c] = each;
+  const std::size_t common = std::min({a.size(), b.size(), c.size()});
+  std::uint32_t of_a = start_, of_b = start_, of_c = start_;
+  for (std::size_t i = 0; i < common; ++i) {
+    of_a = after<way>(of_a, a[i]);
+    of_b = after<way>(of_b, b[i]);
+    of_c = after<way>(of_c, c[i]);
+  }
+  const auto finish = [&](std::uint32_t crc, Bytes bytes) {
+    for (const std::uint8_t byte : bytes.subspan(common)) crc = after<way>(crc, byte);
+    return out_of(crc);
+  };
+  return {finish(of_a, a), finish(of_b, b), finish(of_c, c)};
+}
+
+std::uint32_t Checksum::of(Bytes bytes, Bytes extra) const {
   switch (way_) {
     case Way::none: return 0;
     case Way::exclusive_or: return exclusive_or(bytes);
@@ -114,16 +138,16 @@ std::uint32_t Checksum::of(Bytes bytes, Bytes extra) const {
     case Way::big_word_sum: return finished(word_sum(bytes, true));
     case Way::fletcher_255: return fletcher_255(bytes);
     case Way::fletcher: return fletcher8(bytes);
-    case Way::crc:
-      for (const Bytes part : {bytes, extra})
-        for (const std::uint8_t byte : part) crc = crc << 8 ^ table_[crc >> 24 ^ byte];
-      return crc >> (32 - width_) ^ xor_out_;
-    case Way::crc_reflected:
-      for (const Bytes part : {bytes, extra})
-        for (const std::uint8_t byte : part) crc = crc >> 8 ^ table_[(crc ^ byte) & 0xFF];
-      return crc ^ xor_out_;
+    case Way::crc: return crc_of<Way::crc>(bytes, extra);
+    case Way::crc_reflected: return crc_of<Way::crc_reflected>(bytes, extra);
   }
   return 0;
+}
+
+std::array<std::uint32_t, 3> Checksum::of_three(const std::array<Bytes, 3>& each) const {
+  if (way_ == Way::crc) return crcs_of<Way::crc>(each);
+  if (way_ == Way::crc_reflected) return crcs_of<Way::crc_reflected>(each);
+  return {of(each[0]), of(each[1]), of(each[2])};
 }
 
 }  // namespace drydock::wire::described

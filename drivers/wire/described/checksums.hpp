@@ -51,6 +51,9 @@ class Checksum {
 
   /// `extra`: bytes that a CRC takes in behind the others, and that are not sent.
   std::uint32_t of(Bytes bytes, Bytes extra = {}) const;
+  /// Of three at once, in half the time: a CRC waits for its table, and three of them wait
+  /// together.
+  std::array<std::uint32_t, 3> of_three(const std::array<Bytes, 3>& each) const;
   bool is_crc() const { return way_ == Way::crc || way_ == Way::crc_reflected; }
   std::size_t size() const { return (width_ + 7) / 8; }  ///< bytes on the wire; 0: there is none
   std::string_view name() const { return name_; }
@@ -76,6 +79,20 @@ class Checksum {
   }
 
   std::uint32_t finished(std::uint32_t sum) const;
+  /// `crc` behind one byte more; `way` is `way_`, known to the compiler so that no loop asks for
+  /// it.
+  template <Way way>
+  std::uint32_t after(std::uint32_t crc, std::uint8_t byte) const {
+    if constexpr (way == Way::crc) return crc << 8 ^ table_[crc >> 24 ^ byte];
+    return crc >> 8 ^ table_[(crc ^ byte) & 0xFF];
+  }
+  template <Way way>
+  std::uint32_t crc_of(Bytes bytes, Bytes extra) const;
+  template <Way way>
+  std::array<std::uint32_t, 3> crcs_of(const std::array<Bytes, 3>& each) const;
+  std::uint32_t out_of(std::uint32_t crc) const {
+    return (way_ == Way::crc ? crc >> (32 - width_) : crc) ^ xor_out_;
+  }
 
   std::string_view name_{};
   Way way_ = Way::none;
