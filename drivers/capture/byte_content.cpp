@@ -19,6 +19,13 @@ std::optional<std::uint8_t> hex_digit(std::uint8_t letter) {
   return static_cast<std::uint8_t>(10 + from_a);
 }
 
+/// Hexadecimal ones, in lines.
+bool is_digits(wire::Bytes text) {
+  return std::ranges::all_of(text, [](std::uint8_t byte) {
+    return is_space(byte) || hex_digit(byte).has_value();
+  });
+}
+
 bool same_letter(std::uint8_t byte, char upper) { return byte == upper || byte == (upper | 0x20); }
 
 }  // namespace
@@ -27,10 +34,7 @@ bool is_hex_text(wire::Bytes text) {
   constexpr std::array sync{'7', 'F', '7', 'F'};
   constexpr std::size_t fewest = 16;  // the header of an ensemble and its first offset
   // In binary bytes the first or second one ends the first question, so it comes first.
-  if (text.size() < fewest || !std::ranges::all_of(text, [](std::uint8_t byte) {
-        return is_space(byte) || hex_digit(byte).has_value();
-      }))
-    return false;
+  if (text.size() < fewest || !is_digits(text)) return false;
   return std::search(text.begin(), text.end(), sync.begin(), sync.end(), same_letter) != text.end();
 }
 
@@ -70,6 +74,24 @@ ByteContent::Form ByteContent::form_of(wire::Bytes text) {
   if (HexDump::recognises(text)) return Form::dump;
   if (is_hex_text(text) || is_hex_pairs(text)) return Form::hex;
   return JsonDocuments::recognises(text) ? Form::json : Form::lines;
+}
+
+bool ByteContent::begins_anew(wire::Bytes head) const {
+  if (raw_ || form_ == Form::undecided) return false;
+  CommentHead comments;
+  const wire::Bytes text = comments.without(head);
+  return comments.size() > 0 || is_other(form_of(text), text);
+}
+
+/// The rest of a dump or of digits that were cut in a line may look like lines.
+bool ByteContent::is_other(Form form, wire::Bytes text) const {
+  if (form == Form::dump || form == Form::json) return true;
+  if (form == Form::hex) return form_ != Form::hex;
+  if (form_ == Form::dump) return !HexDump::goes_on(text);
+  if (form_ == Form::hex) return !is_digits(text);
+  if (form_ == Form::json) return false;
+  const auto front = front_of_sentences(text);
+  return front && stamps_.front() && *front != *stamps_.front();
 }
 
 std::string ByteContent::note() const {

@@ -25,7 +25,10 @@ class ByteContent {
   /// Valid until the next call.
   wire::Bytes of(wire::Bytes block);
   /// What is left at the end of the file; valid until the next call.
-  wire::Bytes finish() { return form_ == Form::dump ? dump_.finish() : wire::Bytes{}; }
+  wire::Bytes finish() { return form_ == Form::dump ? dump_.finish() : stamps_.finish(); }
+  /// True if a file that begins so, behind the one that was fed, is of another form or has a head
+  /// of its own. Any other goes on where that one was cut.
+  bool begins_anew(wire::Bytes head) const;
   /// The lines of the last block that have a time; `through` counts in what of() returned.
   std::span<const SentenceStamps::Timed> times() const;
   const SentenceStamps& stamps() const { return stamps_; }
@@ -36,6 +39,7 @@ class ByteContent {
   enum class Form : std::uint8_t { undecided, lines, hex, dump, json };
 
   static Form form_of(wire::Bytes text);
+  bool is_other(Form form, wire::Bytes text) const;
   wire::Bytes decoded(wire::Bytes digits);
 
   bool raw_;

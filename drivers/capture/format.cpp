@@ -48,11 +48,11 @@ std::optional<std::size_t> first_good_line(Bytes head, std::size_t from, std::si
 
 template <class R>
 constexpr Format binary_format() {
-  return {R::name, make<R>, magic<R>};
+  return {R::name, make<R>, magic<R>, true};
 }
 template <class R>
 constexpr Format text_format() {
-  return {R::name, make<R>, first_good_line<R>};
+  return {R::name, make<R>, first_good_line<R>, false};
 }
 
 // Formats with a magic come first: a binary file may look like lines from its first byte on.

@@ -17,6 +17,7 @@ struct Format {
   /// before `before`. Gives the position of the first sign. Empty if there is none.
   std::optional<std::size_t> (*first_sign)(Bytes head, std::size_t from, std::size_t before,
                                            bool is_whole_file);
+  bool has_magic;  ///< it is no text
 };
 
 std::span<const Format> formats();

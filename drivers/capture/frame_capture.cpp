@@ -8,6 +8,12 @@
 #include "drivers/wire/text_fields.hpp"
 
 namespace drydock::capture {
+namespace {
+
+/// So much of a head is the same in all files of a program: `date`, `;$FI`, `Time`.
+constexpr std::size_t begin_to_compare = 4;
+
+}  // namespace
 
 std::string left_out_text(const Tally& tally) {
   if (tally.left_out == 0) return {};
@@ -35,7 +41,8 @@ std::string unknown_format_text(std::string_view file, const FrameCapture& captu
 }
 
 FrameCapture::FrameCapture(const Format* format)
-    : format_(format),
+    : named_(format),
+      format_(format),
       reader_(format ? format->make() : nullptr),
       may_be_packed_(format != nullptr) {}
 
@@ -43,6 +50,8 @@ void FrameCapture::feed(Bytes block) {
   buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(at_));
   at_ = 0;
   if (unknown_) return;
+  if (begin_.size() < begin_to_compare)
+    begin_ += wire::as_text(block.first(std::min(block.size(), begin_to_compare - begin_.size())));
   const bool magic_was_short = buffer_.size() < longest_magic;
   buffer_.insert(buffer_.end(), block.begin(), block.end());
   const bool line_ended =
@@ -51,6 +60,29 @@ void FrameCapture::feed(Bytes block) {
 }
 
 void FrameCapture::finish() { finished_ = true; }
+
+bool FrameCapture::begins_anew(Bytes head) const {
+  const Format* own = named_ != nullptr ? named_ : recognise(head, true);
+  if (own == nullptr || format_ == nullptr) return false;
+  if (own->has_magic) return own->first_sign(head, 0, head.size(), true).has_value();
+  if (own != format_) return true;
+  if (begin_.size() < begin_to_compare || !wire::as_text(head).starts_with(begin_)) return false;
+  const auto reader = own->make();
+  const Scan first = reader->scan(head, true);
+  if (first.kind != Scan::Kind::frame) return false;
+  const auto reading = reader->read(head.first(first.size));
+  return !reading.record && !reading.damaged;  // as the line of a table that names its columns
+}
+
+void FrameCapture::restart() {
+  format_ = named_;
+  reader_ = format_ != nullptr ? format_->make() : nullptr;
+  may_be_packed_ = format_ != nullptr;
+  buffer_.clear();
+  begin_.clear();
+  at_ = searched_ = 0;
+  finished_ = may_show_format_ = more_in_unit_ = cut_ = false;
+}
 
 std::optional<Record> FrameCapture::next() {
   if (!know_format()) return std::nullopt;

@@ -39,6 +39,15 @@ class FrameCapture {
 
   void feed(Bytes block);
   void finish();  ///< no more blocks follow
+  /// Behind the last block of a file that another one follows.
+  void settle() {
+    if (reader_) reader_->settle(rest());
+  }
+  /// True if a file that begins so, behind the one that was fed, has a head of its own. Any other
+  /// goes on where that one was cut.
+  bool begins_anew(Bytes head) const;
+  /// Behind finish(): the blocks of another file follow. Its frames and damage are added.
+  void restart();
   /// The next frame of the bytes that were fed. Empty if it needs more bytes or the capture is at
   /// its end.
   std::optional<Record> next();
@@ -58,11 +67,13 @@ class FrameCapture {
   std::optional<Record> more_of_unit();
   bool gives(const Record& record);
 
+  const Format* named_;
   const Format* format_;
   std::unique_ptr<Reader> reader_;
   bool may_be_packed_;  ///< a format was named, and the first bytes are not looked at yet
   std::vector<std::uint8_t> buffer_;
   std::size_t at_ = 0;
+  std::string begin_;  ///< the first bytes of the file
   bool finished_ = false;
   bool unknown_ = false;
   std::string_view advice_;

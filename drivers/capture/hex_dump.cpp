@@ -46,6 +46,15 @@ void swap_pairs(std::vector<std::uint8_t>& bytes) {
   for (std::size_t i = 1; i < bytes.size(); i += 2) std::swap(bytes[i - 1], bytes[i]);
 }
 
+/// Takes the first line off the text.
+std::string_view cut_line(std::string_view& text) {
+  const auto end = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
 }  // namespace
 
 std::optional<HexDump::Line> HexDump::line_of(std::string_view text) {
@@ -74,18 +83,18 @@ std::optional<HexDump::Line> HexDump::line_of(std::string_view text) {
   return line;
 }
 
+bool HexDump::goes_on(wire::Bytes bytes) {
+  std::string_view text = wire::as_text(bytes);
+  cut_line(text);
+  const std::string_view second = cut_line(text);
+  return second.empty() || second == "*" || line_of(second).has_value();
+}
+
 bool HexDump::recognises(wire::Bytes bytes) {
   std::string_view text = wire::as_text(bytes);
-  const auto cut_line = [&] {
-    const auto end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    return line;
-  };
-  const auto first = line_of(cut_line());
-  std::string_view next = cut_line();
-  if (next == "*") next = cut_line();
+  const auto first = line_of(cut_line(text));
+  std::string_view next = cut_line(text);
+  if (next == "*") next = cut_line(text);
   const auto second = line_of(next);
   if (!first || !second || first->bytes.size() < 2) return false;
   for (const int base : {16, 8}) {

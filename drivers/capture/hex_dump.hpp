@@ -17,6 +17,8 @@ class HexDump {
  public:
   /// True if the first two lines have places that the bytes of the first one tell.
   static bool recognises(wire::Bytes text);
+  /// True if the second line of the text is one of a dump: the first one may be cut.
+  static bool goes_on(wire::Bytes text);
 
   /// Valid until the next call.
   wire::Bytes of(wire::Bytes block);

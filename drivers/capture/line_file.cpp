@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "drivers/wire/packed_content.hpp"
 #include "drivers/wire/text_fields.hpp"
@@ -32,23 +33,33 @@ std::string names_of(const std::vector<PacketLines::Line>& lines) {
 
 }  // namespace
 
-LineFile::LineFile(const std::string& file, bool raw, std::string interface)
-    : file_(file), interface_(std::move(interface)), raw_(raw), blocks_(file), content_(raw) {}
+LineFile::LineFile(std::vector<std::string> files, bool raw, std::string interface)
+    : files_(std::move(files)),
+      interface_(std::move(interface)),
+      raw_(raw),
+      blocks_(files_),
+      content_(raw) {}
 
-bool LineFile::begin() {
+/// "dive.000", "dive.000 and 2 more".
+std::string LineFile::name() const {
+  const std::string first = files_.empty() ? "" : files_.front();
+  return files_.size() < 2 ? first : fmt::format("{} and {} more", first, files_.size() - 1);
+}
+
+void LineFile::begin() {
   begun_ = true;
-  first_ = blocks_.read();
-  if (!raw_) packed_ = wire::packed_content(wire::as_text(first_));
-  if (raw_ || !PacketLines::recognises(first_)) return false;
-  packets_.emplace(first_);
-  buffer_.assign(first_.begin(), first_.end());
-  if (interface_.empty() && is_regular(file_)) choose();
-  return true;
+  const Bytes first = blocks_.read();
+  next_ = first;
+  if (!raw_) packed_ = wire::packed_content(wire::as_text(first));
+  if (raw_ || !PacketLines::recognises(first)) return;
+  packets_.emplace(first);
+  buffer_.assign(first.begin(), first.end());
+  if (interface_.empty() && std::ranges::all_of(files_, is_regular)) choose();
 }
 
 /// Looks at the whole file: if one line alone says something, it is that one.
 void LineFile::choose() {
-  LineFile whole(file_, false, "*");
+  LineFile whole(files_, false, "*");
   whole.end_when(ended_);
   while (whole.next()) continue;
   const auto lines = whole.lines();
@@ -58,17 +69,46 @@ void LineFile::choose() {
 }
 
 std::optional<LineFile::Read> LineFile::next() {
-  const bool at_start = !begun_;
-  if (at_start) begin();
-  if (!packed_.empty()) return {};
+  if (!begun_) begin();
   if (packets_) return next_packet();
-  for (bool at_first = at_start;; at_first = false) {
+  while (packed_.empty() && mixed_.empty()) {
     if (const auto part = next_part()) return part;
-    const Bytes block = at_first ? first_ : blocks_.read();
+    const auto known = std::exchange(next_, std::nullopt);
+    const Bytes block = known ? *known : blocks_.read();
+    if (!known && blocks_.is_next_file() && !begin_file(block)) continue;
     block_ = block.empty() ? content_.finish() : content_.of(block);
     part_ = part_from_ = 0;
-    if (block.empty() && block_.empty()) return {};
+    if (block.empty() && block_.empty()) break;
   }
+  return {};
+}
+
+/// A file behind the first one. False: it does not go on where the one before ended, whose rest
+/// comes first.
+bool LineFile::begin_file(Bytes block) {
+  if (raw_) return true;
+  packed_ = wire::packed_content(wire::as_text(block));
+  if (PacketLines::recognises(block))
+    mixed_ = blocks_.file() + " is a file of packets, and the one before it holds bytes";
+  if (!packed_.empty() || !mixed_.empty()) return false;
+  if (!content_.begins_anew(block)) return true;
+  const Bytes rest = content_.finish();
+  rest_.assign(rest.begin(), rest.end());
+  notes_ = note();
+  content_ = ByteContent(raw_);
+  block_ = rest_;
+  part_ = part_from_ = 0;
+  next_ = block;
+  return false;
+}
+
+std::string LineFile::note() const {
+  const std::string last = content_.note();
+  return notes_ + (notes_.empty() || last.empty() ? "" : "\n") + last;
+}
+
+std::string LineFile::cut_note() const {
+  return cut_ == 0 ? "" : fmt::format("{} ends inside of a packet: {} bytes are no whole one", name(), cut_);
 }
 
 /// Each line that has a time; then what is behind the last one, or a block without times as a
@@ -100,7 +140,13 @@ std::optional<PacketLines::Piece> LineFile::next_piece() {
       buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(at_));
       at_ = 0;
       const Bytes block = blocks_.read();
+      const bool anew = blocks_.is_next_file() && PacketLines::recognises(block);
+      if (block.empty() || anew) {
+        cut_ += buffer_.size();
+        buffer_.clear();
+      }
       if (block.empty()) return packets_->finish();
+      if (anew) packets_->begin_file(block);
       buffer_.insert(buffer_.end(), block.begin(), block.end());
       continue;
     }
@@ -115,23 +161,25 @@ std::vector<PacketLines::Line> LineFile::lines() const {
 }
 
 std::string LineFile::trouble() const {
-  if (blocks_.error() != 0) return "cannot read " + file_ + ": " + std::strerror(blocks_.error());
-  if (!packed_.empty()) return fmt::format("{}: {}", file_, packed_);
+  if (blocks_.error() != 0)
+    return "cannot read " + blocks_.file() + ": " + std::strerror(blocks_.error());
+  if (!packed_.empty()) return fmt::format("{}: {}", blocks_.file(), packed_);
+  if (!mixed_.empty()) return mixed_;
   if (!packets_ || interface_ == "*") return "";
   const auto found = lines();
   const std::string_view kind =
       std::ranges::all_of(found, &PacketLines::Line::serial) ? "serial line" : "line";
   if (found.empty()) {
     const auto lost = packets_->damage("*");
-    return file_ + ": none of its packets is of a serial line, of UDP or of TCP" +
+    return name() + ": none of its packets is of a serial line, of UDP or of TCP" +
            (lost.empty() ? "" : "; " + lost);
   }
   if (interface_.empty() && found.size() > 1)
     return fmt::format("{} has several {}s: {}; --interface chooses one, in a link interface=",
-                       file_, kind, names_of(found));
+                       name(), kind, names_of(found));
   if (!interface_.empty() &&
       std::ranges::find(found, interface_, &PacketLines::Line::name) == found.end())
-    return fmt::format("{} has no {} {}; it has {}", file_, kind, interface_, names_of(found));
+    return fmt::format("{} has no {} {}; it has {}", name(), kind, interface_, names_of(found));
   return "";
 }
 

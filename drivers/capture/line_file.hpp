@@ -25,7 +25,11 @@ class LineFile {
 
   /// Empty `file` or "-": standard input. `raw`: the file to the byte. Empty `interface`: the only
   /// line of a file of packets.
-  LineFile(const std::string& file, bool raw, std::string interface = {});
+  LineFile(const std::string& file, bool raw, std::string interface = {})
+      : LineFile(std::vector{file}, raw, std::move(interface)) {}
+  /// Files that a logger began one after the other, as one: a frame may be cut at their edge, and
+  /// a TCP stream goes on.
+  LineFile(std::vector<std::string> files, bool raw, std::string interface = {});
 
   /// As FileBlocks::end_when().
   void end_when(std::function<bool()> ended) {
@@ -37,7 +41,7 @@ class LineFile {
   bool likely_more(Bytes last) const { return packets_ || blocks_.likely_more(last); }
   /// The lines of a file of packets, as far as it was read.
   std::vector<PacketLines::Line> lines() const;
-  std::string note() const { return content_.note(); }  ///< as ByteContent::note()
+  std::string note() const;                             ///< as ByteContent::note()
   int error() const { return blocks_.error(); }         ///< errno; 0: none
   /// Empty, or why there are no bytes: the file cannot be read, it is compressed, or it holds
   /// several lines and none was chosen.
@@ -47,6 +51,8 @@ class LineFile {
   std::string damage(const std::string& line) const {
     return packets_ ? packets_->damage(line) : std::string();
   }
+  /// "the file ends inside of a packet: ...", in a file of packets. Empty: it does not.
+  std::string cut_note() const;
   /// As SteadyTimes::in_words(), of what was read so far, whatever its line.
   std::string clock_note() const {
     return packets_ ? packets_->times().in_words() : content_.stamps().clock().in_words();
@@ -58,13 +64,16 @@ class LineFile {
   bool is_without_date() const { return !packets_ && content_.stamps().without_date(); }
 
  private:
-  bool begin();
+  void begin();
   void choose();
+  bool begin_file(Bytes block);
+  std::string name() const;
   std::optional<Read> next_packet();
   std::optional<Read> next_part();
   std::optional<PacketLines::Piece> next_piece();
 
-  std::string file_, interface_;
+  std::vector<std::string> files_;
+  std::string interface_;
   bool raw_, begun_ = false;
   FileBlocks blocks_;
   std::function<bool()> ended_ = [] { return false; };
@@ -72,9 +81,13 @@ class LineFile {
   std::optional<PacketLines> packets_;
   std::vector<std::uint8_t> buffer_;  ///< of a file of packets: blocks that are not read yet
   std::size_t at_ = 0;
-  Bytes first_;
+  std::uint64_t cut_ = 0;  ///< bytes of packets that are not whole at the ends of files
   std::string_view packed_;  ///< what to do with a file that is compressed; empty: it is not
+  std::string mixed_;        ///< why one of several files is none of a series; empty: all are
   Bytes block_;              ///< of a file of bytes: the content of a block
+  std::optional<Bytes> next_;         ///< the first block of a file, not looked at yet
+  std::vector<std::uint8_t> rest_;  ///< of the file before
+  std::string notes_;                ///< of files before
   std::size_t part_ = 0, part_from_ = 0;  ///< its next part with a time
   std::optional<std::chrono::nanoseconds> last_time_;
 };

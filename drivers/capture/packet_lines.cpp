@@ -10,8 +10,13 @@ bool PacketLines::recognises(Bytes head) {
   return link_type && is_network_link(*link_type);
 }
 
-PacketLines::PacketLines(Bytes head) {
-  if (Pcapng::recognises(head)) file_.emplace<Pcapng>();
+PacketLines::PacketLines(Bytes head) { begin_file(head); }
+
+void PacketLines::begin_file(Bytes head) {
+  if (Pcapng::recognises(head))
+    file_.emplace<Pcapng>();
+  else
+    file_.emplace<Pcap>();
 }
 
 Scan PacketLines::scan(Bytes bytes) {

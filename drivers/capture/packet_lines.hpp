@@ -38,6 +38,9 @@ class PacketLines {
   PacketLines(const PacketLines&) = delete;  // talks_ points into it
   PacketLines& operator=(const PacketLines&) = delete;
 
+  /// Another file follows, which goes on with the same lines. `head`: as it begins.
+  void begin_file(Bytes head);
+
   Scan scan(Bytes bytes);
   /// Empty: the unit, a frame of scan(), adds nothing to a line now.
   std::optional<Piece> read(Bytes unit);

@@ -21,6 +21,8 @@ class Reader {
   virtual Reading read(Bytes unit) = 0;
   /// More frames of the unit that was read last, for formats that put several frames into one unit.
   virtual std::optional<Record> more() { return std::nullopt; }
+  /// What it decides by lines to come it decides now by these: what follows is of another file.
+  virtual void settle(Bytes) {}
   /// True where more of a block is awaited that is passed over: at the end the file is cut inside.
   virtual bool is_inside_block() const { return false; }
   /// What a person must know of how it reads this file; empty: nothing.

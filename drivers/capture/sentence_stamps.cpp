@@ -111,6 +111,13 @@ Bytes SentenceStamps::without(Bytes block) {
   return bytes_;
 }
 
+Bytes SentenceStamps::finish() {
+  times_.clear();
+  bytes_.clear();
+  end_line();
+  return bytes_;
+}
+
 /// Of the text in front of the sentence that begins now.
 void SentenceStamps::read_time() {
   const auto text = wire::as_text(before_);

@@ -35,6 +35,9 @@ class SentenceStamps {
 
   /// The part of the block that a sensor said. Valid until the next call.
   wire::Bytes without(wire::Bytes block);
+  /// The begin of a last line that was cut. Valid until the next call.
+  wire::Bytes finish();
+  std::optional<SentenceFront> front() const { return front_; }  ///< empty: not known yet
   /// The lines of the last block that have a time, or had one in front of them.
   const std::vector<Timed>& times() const { return times_; }
   std::uint64_t lines() const { return lines_; }         ///< that had a stamp

@@ -32,6 +32,13 @@ using capture::LineFile;
 
 constexpr std::string_view raw_format = "raw";
 
+/// CAN captures, one behind the other.
+struct FrameFiles {
+  FileBlocks blocks;
+  FrameCapture capture;
+  FollowingTimes times{};
+};
+
 /// Receives the messages: prints them as lines, or counts them by type.
 class Sink {
  public:
@@ -132,15 +139,16 @@ void receive(Decoder& decoder, const capture::Record& record, wire::Network netw
 /// Decodes a CAN capture to its end. `make` gives a decoder for each bus: it assembles its own.
 /// False if the output cannot be written.
 template <class Make>
-bool decode_frames(const Make& make, wire::Network network, FileBlocks& blocks,
-                   FrameCapture& frames, Sink& sink, wire::StreamCounters& counters) {
+bool decode_frames(const Make& make, wire::Network network, FrameFiles& files, Sink& sink,
+                   wire::StreamCounters& counters) {
   std::map<std::string, decltype(make()), std::less<>> buses;
   const auto on_record = [&](const capture::Record& record) {
     auto bus = buses.find(record.interface);
     if (bus == buses.end()) bus = buses.emplace(std::string(record.interface), make()).first;
     receive(bus->second, record, network, sink);
   };
-  if (!read_records(blocks, frames, on_record, [&] { return sink.flush(); })) return false;
+  auto& [blocks, frames, times] = files;
+  if (!read_records(blocks, frames, times, on_record, [&] { return sink.flush(); })) return false;
   for (auto& bus : buses) {
     auto& decoder = bus.second;
     if constexpr (requires { decoder.finish(); }) decoder.finish();
@@ -154,12 +162,11 @@ bool decode_frames(const Make& make, wire::Network network, FileBlocks& blocks,
 
 /// Decodes with a description, whichever way its sensor talks.
 bool decode_described(const wire::described::DescriptionPtr& description, LineFile& line,
-                      FileBlocks& blocks, FrameCapture& frames, Sink& sink,
-                      wire::StreamCounters& counters) {
+                      FrameFiles& files, Sink& sink, wire::StreamCounters& counters) {
   if (!description->frames)
     return decode_bytes(wire::described::DescribedCodec(description), line, sink, counters);
   const auto make = [&] { return wire::described::FrameDecoder(description); };
-  return decode_frames(make, description->facts.network, blocks, frames, sink, counters);
+  return decode_frames(make, description->facts.network, files, sink, counters);
 }
 
 template <class... P>
@@ -233,40 +240,44 @@ int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err) {
                                    protocol, from_frames ? capture::format_names() : raw_format));
   }
 
-  const std::string file = options.file.empty() ? "standard input" : options.file;
-  FileBlocks blocks(options.file);
-  LineFile line(options.file, raw, options.interface);
+  const auto names = files_of(options);
+  FrameFiles files{FileBlocks(from_frames ? names : std::vector{names.front()}),
+                   FrameCapture(format)};
+  auto& [blocks, capture, times] = files;
+  LineFile line(names, raw, options.interface);
   const terminal::InterruptFlag interrupt;  // what came before a signal is counted at the end
   blocks.end_when([&] { return interrupt.set(); });
   line.end_when([&] { return interrupt.set(); });
-  FrameCapture capture(format);
   Sink sink(options, out);
   wire::StreamCounters counters;
   bool written = false;
   const auto bytes = [&]<class P>() { written = decode_bytes(P{}, line, sink, counters); };
   const auto frames = [&]<class P>() {
     const auto make = [] { return typename P::Decoder{}; };
-    written = decode_frames(make, network_of<P>(), blocks, capture, sink, counters);
+    written = decode_frames(make, network_of<P>(), files, sink, counters);
   };
   if (options.description)
-    written = decode_described(options.description, line, blocks, capture, sink, counters);
+    written = decode_described(options.description, line, files, sink, counters);
   wire::with_protocol(wire::BytesProtocols{}, protocol, bytes);
   wire::with_protocol(wire::FrameCarriers{}, protocol, bytes);
   wire::with_protocol(wire::FrameProtocols{}, protocol, frames);
   wire::with_protocol(wire::FramesAsTheyAre{}, protocol, frames);
 
   if (blocks.error() != 0) {
-    return refuse(err, cannot_read(file, blocks.error()), terminal::exit_failed);
+    return refuse(err, cannot_read(blocks.file(), blocks.error()), terminal::exit_failed);
   }
   if (!from_frames && !line.trouble().empty())
     return refuse(err, line.trouble(), terminal::exit_failed);
   if (capture.unknown())
-    return refuse(err, capture::unknown_format_text(file, capture), terminal::exit_failed);
+    return refuse(err, capture::unknown_format_text(name_of(options), capture),
+                  terminal::exit_failed);
   if (!written) return refuse(err, "cannot write the output", terminal::exit_failed);
   if (!options.quiet) {
     if (const auto note = line.note(); !note.empty()) fmt::print(err, "{}\n", note);
     print_totals(err, counters, sink.messages(), capture);
-    if (const auto damage = line.damage(); !damage.empty()) fmt::print(err, "{}\n", damage);
+    for (const auto& damage : {line.damage(), line.cut_note()})
+      if (!damage.empty()) fmt::print(err, "{}\n", damage);
+    print_notes(err, times);
     print_passed_over(err, sink);
   }
   return terminal::exit_of(sink.messages() > 0);

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace drydock::wire::described {
 struct Description;
@@ -20,9 +21,10 @@ struct DecodeOptions {
   std::string interface {};  ///< of a pcapng file with several serial lines
   std::string dbc{};         ///< a DBC file in place of a protocol; empty: none
   std::string pgns{};        ///< a table of PGNs (canboat.json) in place of a protocol; empty: none
+  std::vector<std::string> more{};  ///< files that go on where `file` ends, in their order
 };
 
-/// `drydock decode`: reads a capture and writes JSON Lines, one object for each message. Byte
+/// `drydock decode`: reads a capture, or the files into which one was cut, and writes JSON Lines, one object for each message. Byte
 /// protocols read the raw line and ignore anything else on it, and also the comments at the head
 /// of the file (drivers/capture/comment_head.hpp). CAN protocols and DBC files read every format of
 /// drivers/capture and add `time_s` and `interface`. Exit code: 0 something was decoded, 1 nothing

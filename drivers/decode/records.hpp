@@ -6,27 +6,41 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "drivers/capture/file_blocks.hpp"
 #include "drivers/capture/frame_capture.hpp"
 #include "drivers/decode/decode.hpp"
+#include "drivers/decode/following_times.hpp"
 #include "drivers/measurement/stamp.hpp"
 #include "drivers/terminal/exit_codes.hpp"
 #include "drivers/terminal/interrupt_flag.hpp"
 #include "drivers/text/json_lines.hpp"
+#include "drivers/text/printable.hpp"
 
 /// What all ways to decode a CAN capture have in common.
 namespace drydock::decode {
 
-/// Reads a CAN capture to its end. It calls `flush() -> bool` before it waits for a live input.
-/// False if that failed.
+/// Reads CAN captures to their end, one behind the other. It calls `flush() -> bool` before it waits
+/// for a live input. False if that failed.
 template <class OnRecord, class Flush>
-bool read_records(capture::FileBlocks& blocks, capture::FrameCapture& frames, OnRecord&& on_record,
-                  Flush&& flush) {
+bool read_records(capture::FileBlocks& blocks, capture::FrameCapture& frames, FollowingTimes& times,
+                  OnRecord&& on_record, Flush&& flush) {
   const auto drain = [&] {
-    while (const auto record = frames.next()) on_record(*record);
+    while (auto record = frames.next()) {
+      if (record->time) record->time = times.of(*record->time);
+      on_record(*record);
+    }
   };
   for (wire::Bytes block = blocks.read(); !block.empty(); block = blocks.read()) {
+    if (blocks.is_next_file()) {
+      frames.settle();
+      const bool anew = frames.begins_anew(block);
+      if (anew) frames.finish();
+      drain();
+      if (anew) frames.restart();
+      times.begin_file(blocks.file());
+    }
     frames.feed(block);
     drain();
     if (frames.unknown()) return true;
@@ -55,8 +69,25 @@ inline std::string contents(capture::FileBlocks& blocks, std::size_t most) {
   return text;
 }
 
+inline std::vector<std::string> files_of(const DecodeOptions& options) {
+  std::vector<std::string> files{options.file};
+  files.insert(files.end(), options.more.begin(), options.more.end());
+  return files;
+}
+
+/// For messages: "standard input", "can.log", "can.000 and 2 more".
+inline std::string name_of(const DecodeOptions& options) {
+  const std::string first = options.file.empty() ? "standard input" : options.file;
+  return options.more.empty() ? first : fmt::format("{} and {} more", first, options.more.size());
+}
+
+inline void print_notes(std::FILE* err, const FollowingTimes& times) {
+  for (const auto& note : times.notes()) fmt::print(err, "{}\n", text::printable(note));
+}
+
 inline std::string cannot_read(const std::string& file, int error) {
-  return fmt::format("cannot read {}: {}", file, std::strerror(error));
+  return fmt::format("cannot read {}: {}", file.empty() ? "standard input" : file,
+                     std::strerror(error));
 }
 
 inline int refuse(std::FILE* err, const std::string& why, int code = terminal::exit_usage) {
@@ -72,25 +103,27 @@ int decode_frames(Messages& messages, const DecodeOptions& options, std::FILE* e
   if (!options.format.empty() && format == nullptr)
     return refuse(err, fmt::format("no format \"{}\" of CAN captures, allowed: {}", options.format,
                                    capture::format_names()));
-  capture::FileBlocks blocks(options.file);
+  capture::FileBlocks blocks(files_of(options));
   const terminal::InterruptFlag interrupt;
   blocks.end_when([&] { return interrupt.set(); });
   capture::FrameCapture capture(format);
+  FollowingTimes times;
   const bool read = read_records(
-      blocks, capture, [&](const capture::Record& record) { messages.receive(record); },
+      blocks, capture, times, [&](const capture::Record& record) { messages.receive(record); },
       [&] { return messages.flush(); });
   messages.finish();
-  const std::string file = options.file.empty() ? "standard input" : options.file;
   if (blocks.error() != 0)
-    return refuse(err, cannot_read(file, blocks.error()), terminal::exit_failed);
+    return refuse(err, cannot_read(blocks.file(), blocks.error()), terminal::exit_failed);
   if (capture.unknown())
-    return refuse(err, capture::unknown_format_text(file, capture), terminal::exit_failed);
+    return refuse(err, capture::unknown_format_text(name_of(options), capture),
+                  terminal::exit_failed);
   if (!read || !messages.flush())
     return refuse(err, "cannot write the output", terminal::exit_failed);
   if (!options.quiet) {
     messages.print_totals(err, capture);
     const std::string damage = capture::damage_text(capture.tally());
     if (!damage.empty()) fmt::print(err, "{}\n", damage);
+    print_notes(err, times);
   }
   return terminal::exit_of(messages.total() > 0);
 }

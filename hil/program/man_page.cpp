@@ -38,8 +38,8 @@ std::string synopsis(const CLI::App& command) {
   std::string text = "drydock " + command.get_name() + " [OPTIONS]";
   for (const auto* option :
        command.get_options([](const CLI::Option* o) { return o->get_positional(); }))
-    text += option->get_required() ? fmt::format(" {}", option->get_name(true))
-                                   : fmt::format(" [{}]", option->get_name(true));
+    text += fmt::format(fmt::runtime(option->get_required() ? " {}{}" : " [{}{}]"),
+                        option->get_name(true), option->get_items_expected_max() > 1 ? "..." : "");
   return text;
 }
 

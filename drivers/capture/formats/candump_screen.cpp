@@ -108,6 +108,10 @@ Scan CandumpScreen::scan(Bytes bytes, bool at_end) {
   return times_ ? LineReader::scan(bytes, at_end) : Scan::need_more();
 }
 
+void CandumpScreen::settle(Bytes rest) {
+  if (!times_) times_ = times_in(rest, true);
+}
+
 std::string_view CandumpScreen::note() const {
   switch (times_.value_or(CandumpTimes::dates)) {
     case CandumpTimes::pauses:

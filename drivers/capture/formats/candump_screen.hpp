@@ -29,6 +29,7 @@ class CandumpScreen final : public LineReader {
   static bool recognises(std::string_view line);
 
   Scan scan(Bytes bytes, bool at_end) override;
+  void settle(Bytes rest) override;
   std::string_view note() const override;
 
  private:

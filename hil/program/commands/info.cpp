@@ -1,6 +1,8 @@
 #include "hil/info/info.hpp"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "hil/program/commands.hpp"
 
@@ -8,7 +10,7 @@ namespace drydock::program {
 
 void add_info(CLI::App& app, Command& command) {
   struct Arguments {
-    std::string file;
+    std::vector<std::string> files;
     bool json = false;
   };
   auto a = std::make_shared<Arguments>();
@@ -16,12 +18,14 @@ void add_info(CLI::App& app, Command& command) {
       "info", "What is in a recording or a capture: times, links, topics, rates, gaps, faults");
   sub->footer(
       "Example: drydock info dive.mcap\n"
-      "         drydock info trace.asc --json");
-  sub->add_option("FILE", a->file, "recording (MCAP), CAN capture, or bytes of one line")
+      "         drydock info trace.asc --json\n"
+      "         drydock info dive.*");
+  sub->add_option("FILE", a->files, "recording (MCAP), CAN capture, or bytes of one line; several")
       ->required();
-  sub->add_flag("--json", a->json, "one JSON object instead of text");
+  sub->add_flag("--json", a->json,
+                "one JSON object instead of text; of several files with `files` and `total`");
   sub->callback(
-      [a, &command] { command = [a] { return info::info(a->file, a->json, stdout, stderr); }; });
+      [a, &command] { command = [a] { return info::info(a->files, a->json, stdout, stderr); }; });
 }
 
 }  // namespace drydock::program

@@ -165,6 +165,33 @@ TEST(Info, OfSentencesWithALoggersTimesDoesNotSayThatTheyHaveNone) {
   EXPECT_THAT(said, HasSubstr("are their times"));
 }
 
+TEST(Info, OfSeveralFilesHasABlockForEachAndATotal) {
+  const Folder folder;
+  std::ofstream(folder / "t.0.log") << "(1700000000.000000) can0 123#11\n"
+                                       "(1700000001.000000) can0 123#22\n";
+  std::ofstream(folder / "t.1.log") << "(1700000002.000000) can0 123#11\n"
+                                       "(1700000004.500000) can0 124#22\n"
+                                       "(1700000005.000000) can0 124#22\n";
+  const auto said = drydock("info " + (folder / "t.*.log").string());
+  EXPECT_EQ(said.exit_code, 0);
+  EXPECT_THAT(said.output, HasSubstr("t.0.log: CAN capture, candump-log, 0.0 MB, 2 frames"));
+  EXPECT_THAT(said.output, HasSubstr("t.1.log: CAN capture, candump-log, 0.0 MB, 3 frames"));
+  EXPECT_THAT(said.output,
+              HasSubstr("total: 2 files, 0.0 MB, 5 frames, 5.0 s, from 2023-11-14T22:13:20Z\n"));
+  const auto all = json::parse(drydock("info --json " + (folder / "t.*.log").string()).output);
+  ASSERT_EQ(all["files"].size(), 2u);
+  EXPECT_EQ(all["files"][1]["frames"], 3);
+  EXPECT_EQ(all["total"]["frames"], 5);
+  EXPECT_EQ(all["total"]["duration_s"], 5.0);
+}
+
+TEST(Info, OfSeveralFilesGoesOnBehindOneThatIsNotThere) {
+  const auto said = drydock("info fixtures/nowhere.pd0 fixtures/pd0/golden.pd0");
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.output, HasSubstr("nowhere.pd0"));
+  EXPECT_THAT(said.output, HasSubstr("total: 1 files"));
+}
+
 TEST(Info, OfBytesNamesTheProtocol) {
   const auto said = drydock("info fixtures/pd0/golden.pd0");
   EXPECT_EQ(said.exit_code, 0);

@@ -54,7 +54,7 @@ TEST(Mistakes, ACommandThatIsMissingIsAskedFor) {
 
 TEST(Mistakes, AWordTooManyIsNamedWithThoseThatTheCommandTakes) {
   expect_told({
-      {"decode pd0 dive.pd0", 2, "decode: 'dive.pd0' is one word too many; it takes FILE, and"},
+      {"decode pd0 dive.pd0", 2, "pd0 is a protocol and no file: --protocol pd0"},
       {"run demo 10s", 2, "run: '10s' is one word too many; it takes RIG, and any other value"},
       {"sky --ephemeris fixtures/rinex/walker.rnx --at 2026-11-21T09:00:00Z now", 2,
        "sky: 'now' is one word too many; it takes no word, and"},
