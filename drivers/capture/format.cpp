@@ -10,6 +10,8 @@
 #include "drivers/capture/formats/candump_screen.hpp"
 #include "drivers/capture/formats/crtd.hpp"
 #include "drivers/capture/formats/ikonvert.hpp"
+#include "drivers/capture/formats/ixxat.hpp"
+#include "drivers/capture/formats/kvaser.hpp"
 #include "drivers/capture/formats/pcan_trc.hpp"
 #include "drivers/capture/formats/pcap.hpp"
 #include "drivers/capture/formats/pcapng.hpp"
@@ -61,7 +63,8 @@ constexpr std::array all{
     text_format<CandumpLog>(),   text_format<CandumpScreen>(), text_format<VectorAsc>(),
     text_format<PcanTrc>(),      text_format<CanboatPlain>(),  text_format<ActisenseAscii>(),
     text_format<YachtDevices>(), text_format<Ikonvert>(),      text_format<SavvyCan>(),
-    text_format<PythonCan>(),    text_format<Busmaster>(),     text_format<Crtd>()};
+    text_format<PythonCan>(),    text_format<Busmaster>(),     text_format<Crtd>(),
+    text_format<Ixxat>(),        text_format<Kvaser>()};
 
 }  // namespace
 

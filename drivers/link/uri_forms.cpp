@@ -112,7 +112,8 @@ constexpr Key clock{"clock", "device line",
                     [](std::string_view text) { return text == "device" || text == "line"; }};
 constexpr Key format{"format",
                      "raw pcap pcapng blf candump-log candump-screen asc trc canboat actisense "
-                     "ydwg ikonvert savvycan python-can busmaster crtd",
+                     "ydwg ikonvert savvycan python-can busmaster crtd "
+                     "ixxat kvaser",
                      is_capture_format};
 constexpr Key gateway_format{"format", "ydwg actisense ikonvert", is_gateway_format};
 constexpr Key interface { "interface", "up to 15 letters, digits, _ - .", is_interface };

@@ -62,7 +62,7 @@ TEST(UnknownFile, IsToldTheFormatsThatAreKnown) {
       unknown_format_text("dive.log", FrameCapture()),
       "dive.log: no CAN capture of a known format; known are: pcap, pcapng, blf, candump-log, "
       "candump-screen, asc, trc, canboat, actisense, ydwg, ikonvert, savvycan, python-can, "
-      "busmaster, crtd");
+      "busmaster, crtd, ixxat, kvaser");
 }
 
 TEST(Recognition, WaitsForTheFirstWholeLine) {

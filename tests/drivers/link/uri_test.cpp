@@ -230,7 +230,7 @@ TEST(Uri, ARecordingsKeysFitWhatItIsToCarry) {
   EXPECT_EQ(misfit("file:can.log?format=raw", Carries::frames),
             "\"file:can.log?format=raw\": format=raw is for bytes; for CAN frames there are "
             "pcap, pcapng, blf, candump-log, candump-screen, asc, trc, canboat, actisense, "
-            "ydwg, ikonvert, savvycan, python-can, busmaster, crtd");
+            "ydwg, ikonvert, savvycan, python-can, busmaster, crtd, ixxat, kvaser");
 }
 
 }  // namespace
