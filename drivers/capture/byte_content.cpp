@@ -21,9 +21,8 @@ std::optional<std::uint8_t> hex_digit(std::uint8_t letter) {
 
 /// Hexadecimal ones, in lines.
 bool is_digits(wire::Bytes text) {
-  return std::ranges::all_of(text, [](std::uint8_t byte) {
-    return is_space(byte) || hex_digit(byte).has_value();
-  });
+  return std::ranges::all_of(
+      text, [](std::uint8_t byte) { return is_space(byte) || hex_digit(byte).has_value(); });
 }
 
 bool same_letter(std::uint8_t byte, char upper) { return byte == upper || byte == (upper | 0x20); }
@@ -57,10 +56,17 @@ bool is_hex_pairs(wire::Bytes text) {
 
 wire::Bytes ByteContent::of(wire::Bytes block) {
   if (raw_) return block;
+  if (!begun_ && Utf16Text::recognises(block)) utf16_.emplace();
+  begun_ = begun_ || !block.empty();
+  if (utf16_) block = utf16_->of(block);
   const wire::Bytes content = head_.without(block);
-  if (form_ == Form::undecided && !content.empty()) form_ = form_of(content);
+  if (form_ == Form::undecided && !content.empty()) {
+    form_ = form_of(content);
+    if (form_ == Form::dump) dump_.begin(content);
+  }
   switch (form_) {
     case Form::hex: return decoded(content);
+    case Form::stamped_hex: return stamped_hex_.of(content);
     case Form::dump: return dump_.of(content);
     case Form::json: return json_.of(content);
     case Form::undecided:
@@ -69,15 +75,23 @@ wire::Bytes ByteContent::of(wire::Bytes block) {
   return stamps_.without(content);
 }
 
+wire::Bytes ByteContent::finish() {
+  if (form_ == Form::dump) return dump_.finish();
+  return form_ == Form::stamped_hex ? stamped_hex_.finish() : stamps_.finish();
+}
+
 ByteContent::Form ByteContent::form_of(wire::Bytes text) {
   // The digits of a dump may be those of an ensemble, so that its places are looked at first.
   if (HexDump::recognises(text)) return Form::dump;
   if (is_hex_text(text) || is_hex_pairs(text)) return Form::hex;
+  if (StampedHex::recognises(text)) return Form::stamped_hex;
   return JsonDocuments::recognises(text) ? Form::json : Form::lines;
 }
 
 bool ByteContent::begins_anew(wire::Bytes head) const {
   if (raw_ || form_ == Form::undecided) return false;
+  if (Utf16Text::recognises(head)) return true;
+  if (utf16_) return false;
   CommentHead comments;
   const wire::Bytes text = comments.without(head);
   return comments.size() > 0 || is_other(form_of(text), text);
@@ -86,10 +100,10 @@ bool ByteContent::begins_anew(wire::Bytes head) const {
 /// The rest of a dump or of digits that were cut in a line may look like lines.
 bool ByteContent::is_other(Form form, wire::Bytes text) const {
   if (form == Form::dump || form == Form::json) return true;
-  if (form == Form::hex) return form_ != Form::hex;
+  if (form == Form::hex || form == Form::stamped_hex) return form_ != form;
   if (form_ == Form::dump) return !HexDump::goes_on(text);
   if (form_ == Form::hex) return !is_digits(text);
-  if (form_ == Form::json) return false;
+  if (form_ == Form::json || form_ == Form::stamped_hex) return false;
   const auto front = front_of_sentences(text);
   return front && stamps_.front() && *front != *stamps_.front();
 }
@@ -101,17 +115,40 @@ std::string ByteContent::note() const {
     std::string dump = "a hexadecimal dump, read as the bytes that it means";
     if (const auto odd = dump_.odd_lines(); odd > 0)
       dump += fmt::format("; lines of another form are left out: {}", odd);
+    if (const auto others = dump_.lines_of_others(); others > 0)
+      dump += fmt::format("; lines with another indentation, of the other side, are left out: {}",
+                          others);
     return dump;
   }
+  std::string stamped = form_ == Form::stamped_hex
+                            ? "hexadecimal text behind a logger's times, read as the bytes that it "
+                              "means at these times"
+                            : note_of_stamps();
+  if (const auto odd = stamped_hex_.odd_lines(); odd > 0)
+    stamped += fmt::format("; lines of another form are left out: {}", odd);
+  if (const auto sent = stamps_.sent_lines() + stamped_hex_.sent_lines(); sent > 0)
+    stamped += fmt::format("; what the computer sent ([TX]) is left out: {} lines", sent);
+  return stamped;
+}
+
+std::string ByteContent::note_of_stamps() const {
+  const auto& clock = stamps_.clock();
   if (stamps_.lines() == 0) return {};
-  const std::string_view are = stamps_.timed_lines() == 0 ? "were left out"
-                               : stamps_.whole_seconds()  ? "are their times, in whole seconds"
-                                                          : "are their times";
+  if (stamps_.front() == SentenceFront::time_lines)
+    return fmt::format(
+        "a logger's times on {} lines of their own are those of the lines behind "
+        "them{} (format=raw keeps them)",
+        stamps_.lines(), clock.whole_seconds() ? ", in whole seconds" : "");
+  const std::string_view are = clock.timed() == 0 ? "were left out"
+                               : clock.pauses()   ? "are the pauses between them, summed up here"
+                               : clock.whole_seconds() ? "are their times, in whole seconds"
+                                                       : "are their times";
   return fmt::format("a logger's stamps around {} {} {} (format=raw keeps them)", stamps_.lines(),
                      stamps_.kind() == TextLine::sentence ? "sentences" : "lines", are);
 }
 
 std::span<const SentenceStamps::Timed> ByteContent::times() const {
+  if (form_ == Form::stamped_hex) return stamped_hex_.times();
   if (raw_ || form_ != Form::lines) return {};
   return stamps_.times();
 }

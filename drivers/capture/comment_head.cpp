@@ -26,8 +26,13 @@ std::string_view behind_blanks(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(blanks), text.size()));
 }
 
+/// PuTTY's line above each session that it logs: `=~=~=~=~= PuTTY log 2024.05.01 12:00:00 =~=~`.
+constexpr std::string_view putty_begin = "=~=~=~=~";
+
 /// Whether the line that begins so is a comment. Empty: more of it must come.
 std::optional<bool> is_comment(std::string_view line) {
+  if (line.starts_with(putty_begin)) return true;
+  if (putty_begin.starts_with(line)) return {};
   if (line[0] != '#') return false;
   if (line.size() == 1) return {};
   constexpr std::string_view ends_hash = " \t\r\n";

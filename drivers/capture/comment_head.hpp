@@ -8,7 +8,8 @@
 namespace drydock::capture {
 
 /// Removes the comments from the head of a byte capture; gpsd's test logs have them. A comment is a
-/// line that begins with '#' and a blank, or that is '#' alone. Any other line is data, as
+/// line that begins with '#' and a blank, or that is '#' alone, or PuTTY's line above a log. Any
+/// other line is data, as
 /// `#BESTPOSA,...` of a device is, and so is all behind it. Numbers behind the '#' are data too
 /// (`# 12.3456, 3.4`, as sensors of Sea-Bird answer). Feed the blocks of the capture in order.
 class CommentHead {

@@ -50,6 +50,8 @@ void FrameCapture::feed(Bytes block) {
   buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(at_));
   at_ = 0;
   if (unknown_) return;
+  if (begin_.empty() && buffer_.empty() && Utf16Text::recognises(block)) utf16_.emplace();
+  if (utf16_) block = utf16_->of(block);
   if (begin_.size() < begin_to_compare)
     begin_ += wire::as_text(block.first(std::min(block.size(), begin_to_compare - begin_.size())));
   const bool magic_was_short = buffer_.size() < longest_magic;
@@ -62,6 +64,7 @@ void FrameCapture::feed(Bytes block) {
 void FrameCapture::finish() { finished_ = true; }
 
 bool FrameCapture::begins_anew(Bytes head) const {
+  if (utf16_ || Utf16Text::recognises(head)) return Utf16Text::recognises(head);
   const Format* own = named_ != nullptr ? named_ : recognise(head, true);
   if (own == nullptr || format_ == nullptr) return false;
   if (own->has_magic) return own->first_sign(head, 0, head.size(), true).has_value();
@@ -80,6 +83,7 @@ void FrameCapture::restart() {
   may_be_packed_ = format_ != nullptr;
   buffer_.clear();
   begin_.clear();
+  utf16_.reset();
   at_ = searched_ = 0;
   finished_ = may_show_format_ = more_in_unit_ = cut_ = false;
 }

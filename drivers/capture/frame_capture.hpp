@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drivers/capture/format.hpp"
+#include "drivers/capture/utf16_text.hpp"
 
 namespace drydock::capture {
 
@@ -71,6 +72,7 @@ class FrameCapture {
   const Format* format_;
   std::unique_ptr<Reader> reader_;
   bool may_be_packed_;  ///< a format was named, and the first bytes are not looked at yet
+  std::optional<Utf16Text> utf16_;
   std::vector<std::uint8_t> buffer_;
   std::size_t at_ = 0;
   std::string begin_;  ///< the first bytes of the file

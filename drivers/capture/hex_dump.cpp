@@ -14,7 +14,7 @@ constexpr std::size_t od_place = 7;
 /// Repeats of more in one block are taken for damage: a few letters may ask for any number of
 /// bytes.
 constexpr std::uint64_t most_repeated = 1u << 24;
-constexpr std::size_t longest_dump_line = 1024;
+constexpr std::size_t longest_dump_line = HexDump::any_width;
 
 std::optional<std::uint64_t> number_of_place(std::string_view text, int base) {
   std::uint64_t value = 0;
@@ -27,13 +27,35 @@ bool is_digit_at(std::string_view text, std::size_t at) {
   return at < text.size() && hex_digits.find(text[at]) != std::string_view::npos;
 }
 
-/// Without the letters. xxd has them behind two blanks; `hexdump -C` between `|`, and two blanks
-/// inside of its digits too.
-std::string_view digits_of(std::string_view text, bool of_xxd) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-  if (const auto bar = text.find('|'); !of_xxd && bar != std::string_view::npos)
-    return text.substr(0, bar);
-  return text.substr(0, text.find("  "));
+/// Bytes in front of the gap in a line; and the least characters of one with a place for letters
+/// behind sixteen.
+constexpr std::size_t half_line = 8, shortest_padded = 58;
+
+/// Bytes of pairs of digits. xxd has its letters behind two blanks; others behind `|`, three
+/// blanks, or two and no digits, and two blanks after eight bytes.
+std::optional<std::vector<std::uint8_t>> pairs_in(std::string_view text, bool of_xxd,
+                                                  std::size_t most) {
+  std::vector<std::uint8_t> bytes;
+  std::size_t gap = 0;
+  for (std::size_t at = 0; at < text.size() && bytes.size() < most;) {
+    if (text[at] == ' ' || text[at] == '\t') {
+      ++at;
+      ++gap;
+      continue;
+    }
+    const bool behind_gap = !bytes.empty() && gap > 1;
+    if (behind_gap && (of_xxd || gap > 2 || bytes.size() != half_line)) break;
+    if (!is_digit_at(text, at) || !is_digit_at(text, at + 1)) {
+      if (behind_gap || (!of_xxd && text[at] == '|')) break;
+      return {};
+    }
+    std::uint8_t byte = 0;
+    std::from_chars(text.data() + at, text.data() + at + 2, byte, 16);
+    bytes.push_back(byte);
+    at += 2;
+    gap = 0;
+  }
+  return bytes;
 }
 
 /// hexdump and `od -x` print words of this computer's order, the low byte first in the file.
@@ -57,29 +79,22 @@ std::string_view cut_line(std::string_view& text) {
 
 }  // namespace
 
-std::optional<HexDump::Line> HexDump::line_of(std::string_view text) {
+std::optional<HexDump::Line> HexDump::line_of(std::string_view text, std::size_t most) {
   constexpr std::size_t shortest_place = 4;
+  const auto indent = std::min(text.find_first_not_of(" \t"), text.size());
+  text.remove_prefix(indent);
   const auto place = std::min(text.find_first_not_of(hex_digits), text.size());
   if (place < shortest_place) return {};
-  Line line{text.substr(0, place), {}};
+  Line line{indent, text.substr(0, place), {}};
   text.remove_prefix(place);
   const bool of_xxd = text.starts_with(':');
   if (of_xxd) text.remove_prefix(1);
   if (!text.empty() && text[0] != ' ' && text[0] != '\t') return {};
-  const std::string_view digits = digits_of(text, of_xxd);
-  for (std::size_t at = 0; at < digits.size();) {
-    if (digits[at] == ' ') {
-      ++at;
-    } else if (is_digit_at(digits, at) && is_digit_at(digits, at + 1)) {
-      std::uint8_t byte = 0;
-      std::from_chars(digits.data() + at, digits.data() + at + 2, byte, 16);
-      line.bytes.push_back(byte);
-      at += 2;
-    } else {
-      return {};
-    }
-  }
-  if (line.place.size() == od_place && has_words(digits)) swap_pairs(line.bytes);
+  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+  auto bytes = pairs_in(text, of_xxd, most);
+  if (!bytes) return {};
+  line.bytes = std::move(*bytes);
+  if (line.place.size() == od_place && has_words(text)) swap_pairs(line.bytes);
   return line;
 }
 
@@ -87,22 +102,39 @@ bool HexDump::goes_on(wire::Bytes bytes) {
   std::string_view text = wire::as_text(bytes);
   cut_line(text);
   const std::string_view second = cut_line(text);
-  return second.empty() || second == "*" || line_of(second).has_value();
+  return second.empty() || second == "*" || line_of(second, any_width).has_value();
 }
 
-bool HexDump::recognises(wire::Bytes bytes) {
+std::optional<HexDump::Layout> HexDump::layout_of(wire::Bytes bytes) {
+  constexpr std::size_t longest_head = 8;  // `Follow: tcp,hex`, `Node 0: ...`
   std::string_view text = wire::as_text(bytes);
-  const auto first = line_of(cut_line(text));
-  std::string_view next = cut_line(text);
-  if (next == "*") next = cut_line(text);
-  const auto second = line_of(next);
-  if (!first || !second || first->bytes.size() < 2) return false;
-  for (const int base : {16, 8}) {
-    const auto from = number_of_place(first->place, base),
-               to = number_of_place(second->place, base);
-    if (from && to && *to > *from && (*to - *from) % first->bytes.size() == 0) return *from == 0;
+  for (std::size_t head = 0; head <= longest_head && !text.empty(); ++head) {
+    const std::string_view line = cut_line(text);
+    const auto first = line_of(line, any_width);
+    if (!first || first->bytes.size() < 2) continue;
+    std::string_view rest = text, next = cut_line(rest);
+    const bool repeats = next == "*";
+    if (repeats) next = cut_line(rest);
+    const auto second = line_of(next, any_width);
+    if (!second || second->indent != first->indent) return {};
+    for (const int base : {16, 8}) {
+      const auto from = number_of_place(first->place, base),
+                 to = number_of_place(second->place, base);
+      if (!from || !to || *from != 0 || *to == 0) continue;
+      // A segment of a stream may end in the first line, so that the next ones are longer.
+      const bool is_narrow = *to == half_line && line.size() < shortest_padded;
+      const std::size_t most = is_narrow ? half_line : std::max<std::size_t>(*to, 2 * half_line);
+      const auto whole = line_of(line, most);
+      if (whole && (repeats ? *to % whole->bytes.size() == 0 : *to == whole->bytes.size()))
+        return Layout{first->indent, most};
+    }
+    return {};
   }
-  return false;
+  return {};
+}
+
+void HexDump::begin(wire::Bytes head) {
+  if (const auto layout = layout_of(head)) layout_ = *layout;
 }
 
 wire::Bytes HexDump::of(wire::Bytes block) {
@@ -131,9 +163,9 @@ void HexDump::take(std::string_view text) {
     repeats_ = true;
     return;
   }
-  const auto line = text.size() > longest_dump_line ? std::nullopt : line_of(text);
-  if (!line) {
-    ++odd_lines_;
+  const auto line = text.size() > longest_dump_line ? std::nullopt : line_of(text, layout_.width);
+  if (!line || line->indent != layout_.indent) {
+    ++(line ? others_ : odd_lines_);
     return;
   }
   if (base_ == 0 && next_ > 0) {

@@ -108,7 +108,9 @@ std::string LineFile::note() const {
 }
 
 std::string LineFile::cut_note() const {
-  return cut_ == 0 ? "" : fmt::format("{} ends inside of a packet: {} bytes are no whole one", name(), cut_);
+  return cut_ == 0
+             ? ""
+             : fmt::format("{} ends inside of a packet: {} bytes are no whole one", name(), cut_);
 }
 
 /// Each line that has a time; then what is behind the last one, or a block without times as a

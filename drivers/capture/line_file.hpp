@@ -41,8 +41,8 @@ class LineFile {
   bool likely_more(Bytes last) const { return packets_ || blocks_.likely_more(last); }
   /// The lines of a file of packets, as far as it was read.
   std::vector<PacketLines::Line> lines() const;
-  std::string note() const;                             ///< as ByteContent::note()
-  int error() const { return blocks_.error(); }         ///< errno; 0: none
+  std::string note() const;                      ///< as ByteContent::note()
+  int error() const { return blocks_.error(); }  ///< errno; 0: none
   /// Empty, or why there are no bytes: the file cannot be read, it is compressed, or it holds
   /// several lines and none was chosen.
   std::string trouble() const;
@@ -55,13 +55,13 @@ class LineFile {
   std::string cut_note() const;
   /// As SteadyTimes::in_words(), of what was read so far, whatever its line.
   std::string clock_note() const {
-    return packets_ ? packets_->times().in_words() : content_.stamps().clock().in_words();
+    return packets_ ? packets_->times().in_words() : content_.clock().steady().in_words();
   }
   /// True if the times are a logger's, of those read so far, and none has a fraction of a second.
-  bool has_whole_seconds() const { return !packets_ && content_.stamps().whole_seconds(); }
+  bool has_whole_seconds() const { return !packets_ && content_.clock().whole_seconds(); }
   /// True if the times are a logger's without a date: they count from the midnight before the
   /// first one.
-  bool is_without_date() const { return !packets_ && content_.stamps().without_date(); }
+  bool is_without_date() const { return !packets_ && content_.clock().without_date(); }
 
  private:
   void begin();
@@ -81,13 +81,13 @@ class LineFile {
   std::optional<PacketLines> packets_;
   std::vector<std::uint8_t> buffer_;  ///< of a file of packets: blocks that are not read yet
   std::size_t at_ = 0;
-  std::uint64_t cut_ = 0;  ///< bytes of packets that are not whole at the ends of files
-  std::string_view packed_;  ///< what to do with a file that is compressed; empty: it is not
-  std::string mixed_;        ///< why one of several files is none of a series; empty: all are
-  Bytes block_;              ///< of a file of bytes: the content of a block
-  std::optional<Bytes> next_;         ///< the first block of a file, not looked at yet
-  std::vector<std::uint8_t> rest_;  ///< of the file before
-  std::string notes_;                ///< of files before
+  std::uint64_t cut_ = 0;      ///< bytes of packets that are not whole at the ends of files
+  std::string_view packed_;    ///< what to do with a file that is compressed; empty: it is not
+  std::string mixed_;          ///< why one of several files is none of a series; empty: all are
+  Bytes block_;                ///< of a file of bytes: the content of a block
+  std::optional<Bytes> next_;  ///< the first block of a file, not looked at yet
+  std::vector<std::uint8_t> rest_;        ///< of the file before
+  std::string notes_;                     ///< of files before
   std::size_t part_ = 0, part_from_ = 0;  ///< its next part with a time
   std::optional<std::chrono::nanoseconds> last_time_;
 };

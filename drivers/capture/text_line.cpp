@@ -24,9 +24,15 @@ unsigned checksum_of(std::string_view line, TextLine kind) {
   return sum;
 }
 
+/// At most one character, or Docklight's `<CR><LF>`.
+bool is_mark_of_logger(std::string_view behind) {
+  return behind.size() <= 1 || (behind.starts_with('<') && behind.ends_with('>'));
+}
+
 bool has_right_checksum(std::string_view line, TextLine kind) {
   const auto star = line.find('*');
-  if (star == line.npos || star + 3 > line.size() || star + 4 < line.size()) return false;
+  if (star == line.npos || star + 3 > line.size() || !is_mark_of_logger(line.substr(star + 3)))
+    return false;
   const auto high = digit(line[star + 1]), low = digit(line[star + 2]);
   return high && low && checksum_of(line.substr(0, star), kind) == *high * 16 + *low;
 }

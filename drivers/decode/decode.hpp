@@ -24,12 +24,12 @@ struct DecodeOptions {
   std::vector<std::string> more{};  ///< files that go on where `file` ends, in their order
 };
 
-/// `drydock decode`: reads a capture, or the files into which one was cut, and writes JSON Lines, one object for each message. Byte
-/// protocols read the raw line and ignore anything else on it, and also the comments at the head
-/// of the file (drivers/capture/comment_head.hpp). CAN protocols and DBC files read every format of
-/// drivers/capture and add `time_s` and `interface`. Exit code: 0 something was decoded, 1 nothing
-/// was decoded, the capture cannot be read or the output cannot be written, 2 the protocol, the
-/// format or the DBC file is wrong.
+/// `drydock decode`: reads a capture, or the files into which one was cut, and writes JSON Lines,
+/// one object for each message. Byte protocols read the raw line and ignore anything else on it,
+/// and also the comments at the head of the file (drivers/capture/comment_head.hpp). CAN protocols
+/// and DBC files read every format of drivers/capture and add `time_s` and `interface`. Exit code:
+/// 0 something was decoded, 1 nothing was decoded, the capture cannot be read or the output cannot
+/// be written, 2 the protocol, the format or the DBC file is wrong.
 int decode(const DecodeOptions& options, std::FILE* out, std::FILE* err);
 
 /// Names for --protocol: "a, b, c".

@@ -21,8 +21,8 @@
 /// What all ways to decode a CAN capture have in common.
 namespace drydock::decode {
 
-/// Reads CAN captures to their end, one behind the other. It calls `flush() -> bool` before it waits
-/// for a live input. False if that failed.
+/// Reads CAN captures to their end, one behind the other. It calls `flush() -> bool` before it
+/// waits for a live input. False if that failed.
 template <class OnRecord, class Flush>
 bool read_records(capture::FileBlocks& blocks, capture::FrameCapture& frames, FollowingTimes& times,
                   OnRecord&& on_record, Flush&& flush) {

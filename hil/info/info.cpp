@@ -83,8 +83,7 @@ FileInfo of_capture(const std::string& file, bool json, std::FILE* out) {
     fmt::print(out, "{}: {} bytes of a line{}\n", text::printable(file),
                std::filesystem::file_size(file), capture::has_times(file) ? "" : ", without times");
   json ? probe::print_json(heard, out) : probe::print_text(heard, out);
-  const bool known =
-      on_bus || !lines.empty() || heard.confidence() > survey::Confidence::nothing;
+  const bool known = on_bus || !lines.empty() || heard.confidence() > survey::Confidence::nothing;
   return {terminal::exit_of(sound && known), share_of(frames, lines)};
 }
 

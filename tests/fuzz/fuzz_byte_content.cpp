@@ -3,6 +3,8 @@
 
 #include "drivers/capture/hex_dump.hpp"
 #include "drivers/capture/json_documents.hpp"
+#include "drivers/capture/stamped_hex.hpp"
+#include "drivers/capture/utf16_text.hpp"
 
 using namespace drydock;
 
@@ -30,7 +32,7 @@ bool repeats(wire::Bytes bytes) { return std::ranges::find(bytes, '*') != bytes.
 
 }  // namespace
 
-/// Lines of a dump and JSON documents give the same bytes as a whole and in pieces. The last byte
+/// Lines of a dump, stamped or not, JSON documents and UTF-16 give the same bytes as a whole and in pieces. The last byte
 /// is the length of the pieces.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const wire::Bytes bytes{data, size};
@@ -40,7 +42,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto dumped = read<capture::HexDump>(bytes, size);
   require(repeats(bytes) ? dumped.size() <= size + (1u << 24)
                          : dumped == read<capture::HexDump>(bytes, piece));
-  capture::HexDump::recognises(bytes);
+  for (const std::size_t by : {size, piece}) {
+    require(read<capture::Utf16Text>(bytes, by) == read<capture::Utf16Text>(bytes, size));
+    require(read<capture::StampedHex>(bytes, by) == read<capture::StampedHex>(bytes, size));
+  }
+  capture::HexDump().begin(bytes);
+  capture::StampedHex::recognises(bytes);
   capture::JsonDocuments::recognises(bytes);
   return 0;
 }

@@ -44,8 +44,8 @@ void must_be_no_protocol(const std::string& file) {
 void must_exist(const std::string& file) {
   std::error_code error;
   if (file != "-" && !std::filesystem::exists(file, error))
-    throw std::runtime_error(fmt::format("{}: {}{}", file, std::strerror(ENOENT),
-                                         rig_config::nearest_file(file)));
+    throw std::runtime_error(
+        fmt::format("{}: {}{}", file, std::strerror(ENOENT), rig_config::nearest_file(file)));
 }
 
 }  // namespace

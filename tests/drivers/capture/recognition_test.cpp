@@ -21,7 +21,7 @@ TEST(UnknownFile, WhatMustBeUnpackedOrConvertedFirstIsSaid) {
   };
   EXPECT_EQ(said(std::string_view("\x1F\x8B\x08\0\0\0\0\0", 8)),
             "dive.log: it is compressed: unpack it first with gunzip -k");
-  EXPECT_EQ(said(std::string_view("\xFF\xFE(\0001\0", 6)),
+  EXPECT_EQ(said(std::string_view("\xFF\xFE\x16\x04\x31\x04", 6)),
             "dive.log: it is text in UTF-16: convert it first with iconv -f UTF-16 -t UTF-8");
   EXPECT_THAT(
       said(std::string_view("\xD4\xC3\xB2\xA1\2\0\4\0\0\0\0\0\0\0\0\0\0\0\4\0\1\0\0\0", 24)),

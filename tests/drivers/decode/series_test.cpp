@@ -48,14 +48,14 @@ TEST(Series, AFrameCutAtTheEdgeOfTwoFilesIsRead) {
 }
 
 TEST(Series, EveryCaptureReadsCutLikeWhole) {
-  for (const auto& [name, protocol] : std::vector<std::pair<std::string, std::string>>{
-           {"pd0/golden.pd0", "pd0"},
-           {"capture/frames.log", "can"},
-           {"capture/dec.asc", "can"},
-           {"capture/v2.1.trc", "can"},
-           {"capture/savvycan.csv", "can"},
-           {"capture/frames.blf", "can"},
-           {"capture/be.pcapng", "can"}}) {
+  for (const auto& [name, protocol] :
+       std::vector<std::pair<std::string, std::string>>{{"pd0/golden.pd0", "pd0"},
+                                                        {"capture/frames.log", "can"},
+                                                        {"capture/dec.asc", "can"},
+                                                        {"capture/v2.1.trc", "can"},
+                                                        {"capture/savvycan.csv", "can"},
+                                                        {"capture/frames.blf", "can"},
+                                                        {"capture/be.pcapng", "can"}}) {
     const auto whole = decode_series(protocol, {fixture(name)});
     ASSERT_GT(whole.lines().size(), 3u) << name;
     const std::size_t size = fixture(name).size();
@@ -95,8 +95,8 @@ TEST(Series, TimesThatBeginAgainGoOnBehindTheLastOnes) {
 }
 
 TEST(Series, InTheWrongOrderIsSaid) {
-  const auto decoded = decode_series("can", {"(1700000010.000000) can0 123#11\n",
-                                             "(1700000000.000000) can0 123#22\n"});
+  const auto decoded = decode_series(
+      "can", {"(1700000010.000000) can0 123#11\n", "(1700000000.000000) can0 123#22\n"});
   EXPECT_EQ(decoded.lines()[1]["time_s"], 1700000000.0);
   EXPECT_THAT(decoded.err, HasSubstr("begins 10.000 s before the file in front of it ends"));
 }
