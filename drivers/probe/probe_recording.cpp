@@ -112,7 +112,7 @@ bool read_line(const link::Uri& uri, const ProbeOptions& options, ProbeReport& r
   survey.finish();
   if (first && last)
     report.listened_s = std::max(report.listened_s, measurement::seconds(*last - *first));
-  for (auto note : {line.damage(), line.clock_note(), line.note()})
+  for (auto note : {line.damage(), line.cut_note(), line.clock_note(), line.note()})
     if (!note.empty() && std::ranges::find(report.recording, note) == report.recording.end())
       report.recording.push_back(std::move(note));
   note_line(survey, std::string(uri.text_of("interface")), uri.text, report);

@@ -90,7 +90,7 @@ void RecordedLine::act(Stamp now) {
 std::vector<std::string> RecordedLine::notes() const {
   std::vector<std::string> all;
   if (!packets_) return all;
-  for (auto note : {packets_->damage(), packets_->clock_note()})
+  for (auto note : {packets_->damage(), packets_->cut_note(), packets_->clock_note()})
     if (!note.empty()) all.push_back(std::move(note));
   return all;
 }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "drivers/capture/foreign_content.hpp"
 #include "drivers/capture/line_file.hpp"
 #include "drivers/link/uri.hpp"
 #include "drivers/probe/probe_report.hpp"
@@ -65,7 +66,7 @@ TotalInfo share_of(const std::optional<CaptureInfo>& frames, const std::vector<L
 }
 
 /// What the drivers hear in a capture, and for a file of bytes all that can be said.
-FileInfo of_capture(const std::string& file, bool json, std::FILE* out) {
+FileInfo of_capture(const std::string& file, bool json, std::FILE* out, std::FILE* err) {
   const auto lines = line_infos(file);
   const auto frames = capture_info(file);
   const bool on_bus = frames && (lines.empty() || frames->frames > 0);
@@ -78,6 +79,10 @@ FileInfo of_capture(const std::string& file, bool json, std::FILE* out) {
   }
   if (!json && on_bus) fmt::print(out, "{}", to_text(*frames));
   if (!json && !lines.empty()) fmt::print(out, "{}", to_text(file, lines));
+  const auto foreign = on_bus || !lines.empty()
+                           ? std::string_view()
+                           : capture::foreign_content(capture::FileBlocks(file).read());
+  if (!foreign.empty()) return refuse_info(err, fmt::format("{}: {}", file, foreign));
   const auto heard = probe::find_sensors(link::file_uri(file) + "?speed=max", 0);
   if (!on_bus && lines.empty() && !json)
     fmt::print(out, "{}: {} bytes of a line{}\n", text::printable(file),
@@ -91,7 +96,7 @@ FileInfo of_file(const std::string& file, bool json, std::FILE* out, std::FILE* 
   if (const auto why = rig_config::file_trouble(file); !why.empty())
     return refuse_info(err, file + ": " + why);
   const bool recording = begins_as_mcap(file) || file.ends_with(".mcap");
-  auto info = recording ? of_recording(file, json, out, err) : of_capture(file, json, out);
+  auto info = recording ? of_recording(file, json, out, err) : of_capture(file, json, out, err);
   info.share.files = 1;
   std::error_code unknown;
   info.share.size = std::filesystem::file_size(file, unknown);

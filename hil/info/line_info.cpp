@@ -42,6 +42,9 @@ std::vector<LineInfo> line_infos(const std::string& file) {
     infos[i].name = lines[i].name;
     infos[i].serial = lines[i].serial;
     infos[i].damage = all.damage(lines[i].name);
+    // The packet may have been one of any line.
+    if (const auto cut = all.cut_note(); !cut.empty())
+      infos[i].damage += (infos[i].damage.empty() ? "" : "; ") + cut;
   }
   return infos;
 }

@@ -1,6 +1,11 @@
 #include "hil/topic/topic.hpp"
 
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <memory>
+#include <stdexcept>
+#include <string>
 
 #include "hil/program/commands.hpp"
 #include "hil/program/load_rig.hpp"
@@ -13,6 +18,18 @@ namespace {
 /// DDS puts rt before a topic of ROS: rt/imu/data is /imu/data.
 std::string as_ros_says(const std::string& topic) {
   return topic.starts_with("rt/") ? topic.substr(2) : topic;
+}
+
+/// Of the only word: a topic in the place of the rig.
+void must_be_source(const std::string& source, const std::string& name) {
+  std::error_code unknown;
+  const bool is_topic = source.starts_with('/') || source.starts_with("rt/");
+  if (!name.empty() || !is_topic || std::filesystem::exists(source, unknown)) return;
+  const auto topic = as_ros_says(source);
+  throw std::runtime_error(fmt::format(
+      "{0} is a topic: of which rig, or of which recording? drydock topic my-rig.toml {0} reads "
+      "the bus that the rig file names, drydock topic dive.mcap {0} a recording",
+      topic));
 }
 
 }  // namespace
@@ -40,6 +57,7 @@ void add_topic(CLI::App& app, Command& command) {
       ->transform(running_time);
   sub->callback([a, &command] {
     command = [a] {
+      must_be_source(a->source, a->options.name);
       a->options.name = as_ros_says(a->options.name);
       if (a->source.ends_with(".mcap"))
         return topic::echo_recording(a->source, a->options, stdout, stderr);

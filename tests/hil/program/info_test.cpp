@@ -101,6 +101,13 @@ TEST(Topic, OfARunningRigComesFromTheBus) {
   EXPECT_EQ(messages, 5) << said.output;
 }
 
+TEST(Topic, WithoutARigSaysWhatToDo) {
+  const auto said = drydock("topic /imu/data");
+  EXPECT_NE(said.exit_code, 0);
+  EXPECT_THAT(said.output, HasSubstr("/imu/data is a topic: of which rig, or of which recording?"));
+  EXPECT_THAT(said.output, HasSubstr("drydock topic my-rig.toml /imu/data"));
+}
+
 TEST(Topic, OfARunningRigHasItsEstimatesAndDiagnosticsToo) {
   const std::string topic = DRYDOCK_PROGRAM " topic rig_config/rigs/demo.toml ";
   const auto said =
@@ -190,6 +197,28 @@ TEST(Info, OfSeveralFilesGoesOnBehindOneThatIsNotThere) {
   EXPECT_EQ(said.exit_code, 1);
   EXPECT_THAT(said.output, HasSubstr("nowhere.pd0"));
   EXPECT_THAT(said.output, HasSubstr("total: 1 files"));
+}
+
+TEST(Info, OfPacketsThatEndInOneSaysHowMuchIsLeft) {
+  const Folder folder;
+  const auto cut = folder / "cut.pcapng";
+  std::filesystem::copy_file("fixtures/install/two-lines.pcapng", cut);
+  std::filesystem::resize_file(cut, std::filesystem::file_size(cut) - 7);
+  const auto said = drydock("info " + cut.string());
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.output, HasSubstr("cut.pcapng ends inside of a packet: "));
+  EXPECT_THAT(drydock("probe " + cut.string() + "?interface=log").output,
+              HasSubstr("cut.pcapng ends inside of a packet: "));
+}
+
+/// ASAM's MDF 4.1, the identification block: 8 bytes of the file's kind, 8 of its version.
+TEST(Info, OfMeasurementDataSaysWhatToDoWithItsChannels) {
+  const Folder folder;
+  std::ofstream(folder / "dive.mf4") << "MDF     4.10    " << std::string(200, ' ');
+  const auto said = drydock("info " + (folder / "dive.mf4").string());
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.output, HasSubstr("it is ASAM's MF4, whose channels are not read: export asc"));
+  EXPECT_THAT(said.output, testing::Not(HasSubstr("bytes of a line")));
 }
 
 TEST(Info, OfBytesNamesTheProtocol) {
