@@ -11,6 +11,7 @@
 #include "drivers/bus/participant.hpp"
 #include "drivers/host/driver_host.hpp"
 #include "drivers/host/finding_lines.hpp"
+#include "drivers/host/late_wakes.hpp"
 #include "drivers/host/page_recorder.hpp"
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/host/rig_publisher.hpp"
@@ -74,6 +75,7 @@ class Drive {
     }
     followers_.add(state_lines_);
     followers_.add(finding_lines_);
+    followers_.add(late_wakes_);
     if (options.hints) followers_.add(hint_lines_.emplace(options.hints, host_.devices()));
     if (!options.record.path.empty())
       followers_.add(recorder_.emplace(rig, options.record, link::now(), record::WhenBehind::lose));
@@ -96,6 +98,7 @@ class Drive {
     host_.start();
     service_manager_.ready();
     io_.run();
+    if (const auto note = late_wakes_.note(); !note.empty()) print_line(note);
     if (recorder_) fmt::print("{}\n", recorder_->finish());
     if (page_recorder_ && page_recorder_->records()) fmt::print("{}\n", page_recorder_->finish());
     return terminal::exit_of(all_streaming_ && !(recorder_ && recorder_->failed()));
@@ -161,6 +164,7 @@ class Drive {
   StateLines state_lines_{stdout};
   StatusLine status_line_;
   FindingLines finding_lines_;
+  LateWakes late_wakes_;
   Followers followers_;
   std::optional<RigRecorder> recorder_;
   std::optional<PageRecorder> page_recorder_;

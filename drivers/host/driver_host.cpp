@@ -15,9 +15,13 @@ constexpr std::chrono::seconds health_period{1}, longest_lag{1};
 
 DriverHost::DriverHost(boost::asio::io_context& io,
                        std::vector<std::unique_ptr<device::Device>> devices, Follower& follower)
-    : follower_(follower), shell_(io, std::move(devices), *this, &follower), health_timer_(io) {}
+    : follower_(follower),
+      wakes_(io, follower),
+      shell_(io, std::move(devices), *this, this),
+      health_timer_(io) {}
 
 void DriverHost::start() {
+  wakes_.start();
   shell_.start();
   health_timer_.expires_after(health_period);
   schedule_health();
@@ -26,6 +30,7 @@ void DriverHost::start() {
 void DriverHost::stop() {
   if (std::exchange(stopped_, true)) return;
   health_timer_.cancel();
+  wakes_.stop();
   shell_.stop();
 }
 

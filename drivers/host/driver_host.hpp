@@ -7,13 +7,14 @@
 
 #include "drivers/device/device.hpp"
 #include "drivers/host/follower.hpp"
+#include "drivers/host/wake_watch.hpp"
 #include "drivers/shell/real_time.hpp"
 
 namespace drydock::host {
 
 /// Runs the drivers of a rig on their links in real time. It tells a follower their raw data,
 /// measurements, states, and each second their health.
-class DriverHost final : private device::Listener {
+class DriverHost final : private device::Listener, private shell::RawListener {
  public:
   /// The follower must outlive the host.
   DriverHost(boost::asio::io_context& io, std::vector<std::unique_ptr<device::Device>> devices,
@@ -28,6 +29,17 @@ class DriverHost final : private device::Listener {
   bool all_streaming() const;
 
  private:
+  using Stamp = measurement::Stamp;
+
+  void on_bytes(std::string_view link, shell::Direction way, wire::Bytes bytes, Stamp at) override {
+    wakes_.look();
+    follower_.on_bytes(link, way, bytes, at);
+  }
+  void on_frame(std::string_view link, shell::Direction way, const wire::CanFrame& frame,
+                Stamp at) override {
+    wakes_.look();
+    follower_.on_frame(link, way, frame, at);
+  }
   void on_measurement(const measurement::Measurement& measurement) override {
     follower_.on_measurement(measurement);
   }
@@ -39,6 +51,7 @@ class DriverHost final : private device::Listener {
   void schedule_health();
 
   Follower& follower_;
+  WakeWatch wakes_;
   shell::RealTime shell_;
   boost::asio::steady_timer health_timer_;
   bool stopped_ = false;  ///< an expired timer can no longer be cancelled

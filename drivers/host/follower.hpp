@@ -52,6 +52,9 @@ class Follower : public shell::RawListener, public device::Listener {
   /// This program or the computer stood still, or the recording has a hole: all lines fell silent,
   /// and that was no fault of a sensor.
   virtual void on_stall(Stamp /*from*/, Stamp /*to*/) {}
+  /// This computer was busy: this program should have woken at `due` and did at `woke`. What its
+  /// links brought meanwhile, which is told behind this, has a late time.
+  virtual void on_late_wake(Stamp /*due*/, Stamp /*woke*/) {}
   virtual void tick(Stamp /*now*/) {}  ///< a few times a second; in virtual time once a second
 };
 
@@ -97,6 +100,9 @@ class Followers final : public Follower {
   }
   void on_stall(Stamp from, Stamp to) override {
     for (auto* follower : all_) follower->on_stall(from, to);
+  }
+  void on_late_wake(Stamp due, Stamp woke) override {
+    for (auto* follower : all_) follower->on_late_wake(due, woke);
   }
   void tick(Stamp now) override {
     for (auto* follower : all_) follower->tick(now);

@@ -84,6 +84,7 @@ class Diagnostician::Bench final : public Follower, private diagnosis::FindingLi
   void stand_still(Stamp now) {
     for (auto& monitor : monitors_) monitor.stand_still(now);
   }
+  void note_late_wake(Stamp due, Stamp woke) { lateness_.add(due, woke); }
   const diagnosis::Judge& judge() const { return judge_; }
 
  private:
@@ -114,6 +115,7 @@ class Diagnostician::Bench final : public Follower, private diagnosis::FindingLi
   double fastest_hz_ = 0;             ///< of the lines
   std::vector<std::size_t> line_of_;  ///< of each device
   std::vector<double> down_m_;        ///< of each device below the vehicle's origin
+  diagnosis::HostLateness lateness_;
   Stamp next_look_{}, last_{}, depth_at_{};
 };
 
@@ -159,13 +161,13 @@ void Diagnostician::Bench::on_frame(std::string_view link, shell::Direction way,
                                     const wire::CanFrame& frame, Stamp at) {
   if (way != shell::Direction::received) return;
   const auto bus = std::ranges::find(buses_, link, &Bus::link);
-  if (bus != buses_.end()) bus->monitor.take(frame, at);
+  if (bus != buses_.end()) bus->monitor.take(frame, at, lateness_.at(at));
 }
 
 void Diagnostician::Bench::on_measurement(const measurement::Measurement& measurement) {
   const auto& origin = measurement::origin_of(measurement);
   notice_stall(origin.device, origin.received_at);
-  monitors_.at(origin.device).take(measurement);
+  monitors_.at(origin.device).take(measurement, lateness_.at(origin.received_at));
   cross_checks_.take(measurement);
   if (const auto* depth = std::get_if<measurement::DepthSample>(&measurement))
     notice_depth(*depth, origin.device);
@@ -258,6 +260,7 @@ void Diagnostician::on_measurement(const measurement::Measurement& measurement) 
   notice_stall(measurement::origin_of(measurement).received_at);
   bench_->on_measurement(measurement);
 }
+void Diagnostician::on_late_wake(Stamp due, Stamp woke) { bench_->note_late_wake(due, woke); }
 void Diagnostician::look(Stamp now) {
   follow_clock(now);
   notice_stall(now);

@@ -27,6 +27,7 @@ class Diagnostician final : public Follower {
                 Stamp at) override;
   void on_measurement(const measurement::Measurement& measurement) override;
   void on_health(const HealthReport&, Stamp now) override { look(now); }
+  void on_late_wake(Stamp due, Stamp woke) override;
 
   /// Looks at the drivers and weighs what the monitors saw. It is called on measurements and on
   /// health; a caller with a clock may call it more often.

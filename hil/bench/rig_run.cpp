@@ -34,6 +34,7 @@ RigRun::RigRun(const rig_config::Rig& rig, const RunOptions& options,
   if (setting.first != nullptr) followers_.add(*setting.first);
   followers_.add(diagnostician_);
   followers_.add(findings_);
+  followers_.add(late_wakes_);
   followers_.add(scribe_);
   followers_.add(expects_);
   if (truth_ != nullptr && !(rig.estimators.empty() && !summary::no_real_device(rig)))
@@ -114,6 +115,7 @@ void RigRun::write(summary::Summary& summary) {
   if (recorder_) summary.notes.push_back(recorder_->finish());
   if (recorder_ && recorder_->failed())
     summary.verdicts.push_back({"rig", "recording", summary.notes.back(), "complete"});
+  if (auto note = late_wakes_.note(); !note.empty()) summary.notes.push_back(std::move(note));
   if (findings_.not_kept() > 0)
     summary.notes.push_back(fmt::format("{} more findings were not kept", findings_.not_kept()));
   summary.findings = summary::accounts_of(findings_, rig_, start_);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "drivers/host/finding_log.hpp"
+#include "drivers/host/late_wakes.hpp"
 #include "drivers/host/rig_recorder.hpp"
 #include "estimators/host/diagnostician.hpp"
 #include "estimators/host/sound_devices.hpp"
@@ -60,6 +61,7 @@ class RigRun {
   host::Followers followers_;
   host::Diagnostician diagnostician_;
   host::FindingLog findings_;
+  host::LateWakes late_wakes_;
   summary::Scribe scribe_;
   summary::ExpectWatch expects_;
   std::optional<TruthTeller> truth_teller_;

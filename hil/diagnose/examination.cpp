@@ -48,6 +48,7 @@ void Examination::follow(host::Followers& followers, std::vector<const device::D
   followers.add(scribe_);
   followers.add(head_depths_);
   followers.add(stalls_);
+  followers.add(late_wakes_);
 }
 
 Outcome Examination::result(const std::string& source, measurement::Stamp end, bool live,
@@ -55,6 +56,7 @@ Outcome Examination::result(const std::string& source, measurement::Stamp end, b
   Outcome outcome;
   outcome.source = source;
   outcome.notes = stalls_.notes;
+  if (auto note = late_wakes_.note(); !note.empty()) outcome.notes.push_back(std::move(note));
   outcome.circumstances = {measurement::seconds(end - start_ - findings_.stepped()), live,
                            has_times, rates_stated};
   for (const auto device : head_depths_.changed)

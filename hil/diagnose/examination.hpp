@@ -5,6 +5,7 @@
 #include <set>
 
 #include "drivers/host/finding_log.hpp"
+#include "drivers/host/late_wakes.hpp"
 #include "estimators/host/diagnostician.hpp"
 #include "hil/diagnose/outcome.hpp"
 #include "hil/summary/scribe.hpp"
@@ -55,6 +56,7 @@ class Examination {
   summary::Scribe scribe_;
   HeadDepths head_depths_;
   Stalls stalls_;
+  host::LateWakes late_wakes_;
 };
 
 }  // namespace drydock::diagnose

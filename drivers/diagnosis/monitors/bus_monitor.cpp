@@ -66,7 +66,8 @@ BusMonitor::BusMonitor(const std::vector<Expected>& devices, SymptomSink& to) {
     nodes_.push_back({expected, {expected.device, to}, {expected, to}});
 }
 
-void BusMonitor::take(const wire::CanFrame& frame, Stamp at) {
+void BusMonitor::take(const wire::CanFrame& frame, Stamp at, HostLate host) {
+  host_ = host;
   if (!first_) {
     first_ = at;
     window_from_ = at;
@@ -218,9 +219,11 @@ void BusMonitor::watch_times(Usual& usual, const wire::CanFrame& frame, Stamp at
   const bool unusual = busy > std::max<std::chrono::nanoseconds>(long_busy, usual_busy_ * 3 / 2);
   const bool now = busy > long_busy;
   const double by_others_s = by_others ? measurement::seconds(busy) : 0;
-  node->frames.take(
-      usual.key, origin, same,
-      {.now = now, .waits_s = now ? by_others_s : 0, .held_s = unusual ? by_others_s : 0});
+  node->frames.take(usual.key, origin, same,
+                    {.now = now,
+                     .waits_s = now ? by_others_s : 0,
+                     .held_s = unusual ? by_others_s : 0,
+                     .host = host_});
 }
 
 bool BusMonitor::is_repeated(std::uint32_t key) {

@@ -24,7 +24,8 @@ class BusMonitor {
   BusMonitor(const std::vector<Expected>& devices, SymptomSink& to);
 
   void set_bitrate(unsigned bits_per_s) { bitrate_ = bits_per_s; }
-  void take(const wire::CanFrame& frame, Stamp at);
+  /// `host`: what this computer may have added to its arrival.
+  void take(const wire::CanFrame& frame, Stamp at, HostLate host = {});
   /// Tells what lasts. Call it about every look_period.
   void look(Stamp now);
 
@@ -88,6 +89,7 @@ class BusMonitor {
   unsigned busy_frames_ = 0;               ///< since then
   std::chrono::nanoseconds usual_busy_{};  ///< the longest time without a pause at first
   double usual_pause_s_ = 0;               ///< between frames
+  HostLate host_;                          ///< of the latest frame
   bool behind_strange_ = false;
   Stamp strange_at_{}, strange_since_{};
   unsigned strange_ = 0, strange_told_ = 0;  ///< strange frames of the present bout

@@ -16,12 +16,13 @@ class DeviceMonitor {
   DeviceMonitor(const Expected& expected, SymptomSink& to)
       : line_(expected, to), times_(expected, to), values_(expected, to) {}
 
-  void take(const measurement::Measurement& measurement) {
+  /// `host`: what this computer may have added to its arrival.
+  void take(const measurement::Measurement& measurement, HostLate host = {}) {
     const std::uint32_t stream = stream_of(measurement);
     last_ = measurement::origin_of(measurement).received_at;
     const bool same = values_.take(stream, measurement);
     times_.note_length(stream, line_length_of(measurement), last_);
-    times_.take(stream, measurement::origin_of(measurement), same);
+    times_.take(stream, measurement::origin_of(measurement), same, host);
   }
   /// Call it about every look_period.
   void look(const device::Vitals& vitals, Stamp now) {

@@ -29,6 +29,8 @@ void JitterWatch::add(Stamp at) {
     squares_ += off_s * off_s;
     if (count_++ > 0) products_ += off_s * before_s_;
     before_s_ = off_s;
+  } else {
+    before_s_ = 0;
   }
   last_ = at;
   if (at - *begun_ >= block && count_ >= fewest) close_block(at);

@@ -21,6 +21,8 @@ class JitterWatch {
   explicit JitterWatch(double rate_hz = 0) : period_s_(rate_hz > 0 ? 1 / rate_hz : 0) {}
 
   void add(Stamp at);
+  /// A message that this computer may have made late says nothing.
+  void pass_over() { last_.reset(); }
   /// The next message has none before it.
   void interrupt();
 

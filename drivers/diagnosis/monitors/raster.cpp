@@ -1,5 +1,8 @@
 #include "drivers/diagnosis/monitors/raster.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace drydock::diagnosis {
 namespace {
 
@@ -14,19 +17,42 @@ constexpr double most_mean = 1.3;
 constexpr double most_folded_share = 0.15;
 /// A stream that loses more has another rate.
 constexpr double most_missing_share = 0.7;
+/// What comes sooner is another message right behind.
+constexpr double most_early_share = 0.5;
 
 }  // namespace
 
-Raster::Arrival Raster::add(Stamp at, double behind_s) {
+Raster::Arrival Raster::add(Stamp at, double behind_s, HostLate host) {
   if (state_ != State::known) {
     learn(at, behind_s);
     return {};
   }
+  const double begun_late_s = std::exchange(begun_late_s_, last_ ? 0 : host.now_s);
   if (!last_) {
     last_ = any_ = at;
     owed_ = 0;
     return {};
   }
+  const Stamp last = *last_;
+  const double off_s = measurement::seconds(at - last) - period_s_;
+  const Arrival arrival = judge(at);
+  const bool is_late = off_s > tolerance_s_ && may_be_late(host, off_s, arrival.step);
+  const bool is_early = off_s < -tolerance_s_ && off_s > -most_early_share * period_s_ &&
+                        -off_s <= begun_late_s + host.lately_s + tolerance_s_;
+  if (!is_late && !is_early) return arrival;
+  last_ = is_late ? last + measurement::from_seconds(period_s_) : at;
+  owed_ = 0;
+  return {.step = Step::regular, .interval_s = period_s_, .slots = 1};
+}
+
+/// While the computer is busy, others of it hold messages that this program is ready to take. Only
+/// if this program was late as well, a message in the place of the next is none behind a lost one.
+bool Raster::may_be_late(HostLate host, double off_s, Step step) const {
+  if (step == Step::missing && host.now_s == 0) return false;
+  return off_s <= host.now_s + host.lately_s + tolerance_s_;
+}
+
+Raster::Arrival Raster::judge(Stamp at) {
   Arrival arrival;
   arrival.interval_s = measurement::seconds(at - *last_);
   const double since_any_s = measurement::seconds(at - any_);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "drivers/diagnosis/monitors/host_lateness.hpp"
 #include "drivers/diagnosis/monitors/spread.hpp"
 #include "drivers/measurement/stamp.hpp"
 
@@ -39,8 +40,9 @@ class Raster {
       : nominal_s_(nominal_rate_hz > 0 ? 1 / nominal_rate_hz : 0) {}
 
   /// `behind_s`: how long after the message before it, of any kind, the device sent this one. A
-  /// message that waits for another on the line comes sooner without it.
-  Arrival add(Stamp at, double behind_s = 0);
+  /// message that waits for another on the line comes sooner without it. `host`: what this computer
+  /// may have added; a message that is late by no more keeps its place, and is regular.
+  Arrival add(Stamp at, double behind_s = 0, HostLate host = {});
   /// The next message has none before it: the device was away.
   void interrupt() { last_.reset(); }
 
@@ -62,12 +64,15 @@ class Raster {
   bool fold();
   bool has_little_scatter(double most_share);
   bool is_crowded(double interval_s, double since_any_s) const;
+  Arrival judge(Stamp at);
+  bool may_be_late(HostLate host, double off_s, Step step) const;
 
   State state_ = State::learns;
   Spread<256> intervals_, behind_;
   std::optional<Stamp> first_, last_;
-  Stamp any_{};    ///< the latest message, crowded or not
-  long owed_ = 0;  ///< messages that did not come in the last pause and may still do
+  double begun_late_s_ = 0;  ///< of last_, if it has none before it: by the computer
+  Stamp any_{};              ///< the latest message, crowded or not
+  long owed_ = 0;            ///< messages that did not come in the last pause and may still do
   double period_s_ = 0, tolerance_s_ = 0, waits_s_ = 0, allowed_s_ = 0;
   double nominal_s_, missing_share_ = 0;
   Stamp first_missing_{};

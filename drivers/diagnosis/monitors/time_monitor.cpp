@@ -41,13 +41,14 @@ void TimeMonitor::take(std::uint32_t kind, const measurement::Origin& origin, bo
   if (stream == nullptr) return;
   const Stamp at = origin.received_at;
   const bool was_known = stream->raster.known();
-  const auto arrival = stream->raster.add(at, measurement::seconds(at - last_));
+  const auto arrival = stream->raster.add(at, measurement::seconds(at - last_), bus.host);
   if (stream->raster.known() && !was_known) note_first_time(stream->raster);
   last_ = at;
   if (!expected_.times_on_bus) judge(*stream, arrival, origin, same, bus);
   const bool moved = stream->clock.moves(origin) && shift_.most_s(at) > 0;
   if (moved) stream->rate.interrupt();
-  watch_clock(*stream, origin, arrival.step, moved);
+  // What this computer held comes together, like what a device held.
+  watch_clock(*stream, origin, bus.host.now_s > 0 ? Step::crowded : arrival.step, moved);
 }
 
 /// Messages were lost from the start on.
@@ -67,7 +68,10 @@ void TimeMonitor::note_length(std::uint32_t kind, std::uint32_t length, Stamp at
 void TimeMonitor::judge(Stream& stream, Raster::Arrival arrival, const measurement::Origin& origin,
                         bool same, const Busy& bus) {
   const Stamp at = origin.received_at;
-  stream.jitter.add(at);
+  if (bus.host.now_s > 0)
+    stream.jitter.pass_over();
+  else
+    stream.jitter.add(at);
   if (const double waits_s = 1.3 * stream.raster.waits_s(); waits_s > line_s_) line_s_ = waits_s;
   if (stream.raster.known() && stream.allowed_s != line_s_) {
     stream.allowed_s = line_s_;

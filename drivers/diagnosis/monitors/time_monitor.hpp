@@ -5,6 +5,7 @@
 #include "drivers/diagnosis/monitors/arrival_events.hpp"
 #include "drivers/diagnosis/monitors/arrival_pattern.hpp"
 #include "drivers/diagnosis/monitors/expected.hpp"
+#include "drivers/diagnosis/monitors/host_lateness.hpp"
 #include "drivers/diagnosis/monitors/jitter_watch.hpp"
 #include "drivers/diagnosis/monitors/line_shift.hpp"
 #include "drivers/diagnosis/monitors/rate_watch.hpp"
@@ -21,18 +22,20 @@ class TimeMonitor {
   /// The sink must outlive the monitor.
   TimeMonitor(const Expected& expected, SymptomSink& to);
 
-  /// A bus that had no pause, so that the message may be late.
+  /// A bus that had no pause, or a computer that was busy, so that the message may be late.
   struct Busy {
     bool now = false;
     double waits_s = 0;  ///< for frames of other nodes, as long as on a sound bus
     double held_s = 0;   ///< by other nodes, for longer than ever in the first time
+    HostLate host{};
   };
 
   /// `stream`: number of the kind of message (stream_of). `same`: all values are those of the
   /// message before in that stream.
   void take(std::uint32_t stream, const measurement::Origin& origin, bool same, const Busy& bus);
-  void take(std::uint32_t stream, const measurement::Origin& origin, bool same) {
-    take(stream, origin, same, {});
+  void take(std::uint32_t stream, const measurement::Origin& origin, bool same,
+            HostLate host = {}) {
+    take(stream, origin, same, Busy{.host = host});
   }
   /// Before take(): a change of the length (line_length_of) moves the times of all that follows
   /// on a line of sentences.
