@@ -14,7 +14,7 @@ struct Sign {
 
 /// python-can reads it from version 4.2 on, by asammdf.
 constexpr std::string_view mf4_advice =
-    "it is ASAM's MF4, whose channels are not read: export asc or blf with the program of its logger, or "
+    "it is ASAM's MF4, which is not read: export asc or blf with the program of its logger, or "
     "pip install 'python-can[mf4]' and then python3 -m can.logconvert FILE.mf4 FILE.asc";
 
 constexpr std::array<Sign, 5> signs{{

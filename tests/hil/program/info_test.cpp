@@ -207,7 +207,7 @@ TEST(Info, OfPacketsThatEndInOneSaysHowMuchIsLeft) {
   const auto said = drydock("info " + cut.string());
   EXPECT_EQ(said.exit_code, 1);
   EXPECT_THAT(said.output, HasSubstr("cut.pcapng ends inside of a packet: "));
-  EXPECT_THAT(drydock("probe " + cut.string() + "?interface=log").output,
+  EXPECT_THAT(drydock("probe file:" + cut.string() + "?interface=log").output,
               HasSubstr("cut.pcapng ends inside of a packet: "));
 }
 
@@ -217,7 +217,7 @@ TEST(Info, OfMeasurementDataSaysWhatToDoWithItsChannels) {
   std::ofstream(folder / "dive.mf4") << "MDF     4.10    " << std::string(200, ' ');
   const auto said = drydock("info " + (folder / "dive.mf4").string());
   EXPECT_EQ(said.exit_code, 1);
-  EXPECT_THAT(said.output, HasSubstr("it is ASAM's MF4, whose channels are not read: export asc"));
+  EXPECT_THAT(said.output, HasSubstr("it is ASAM's MF4, which is not read: export asc"));
   EXPECT_THAT(said.output, testing::Not(HasSubstr("bytes of a line")));
 }
 
