@@ -5,6 +5,9 @@
 #include <cctype>
 #include <numbers>
 #include <optional>
+#include <utility>
+
+#include "hil/score/csv_covariance.hpp"
 
 namespace drydock::score {
 namespace {
@@ -192,6 +195,7 @@ std::optional<Column> with_unit(const Parts& parts) {
 Column column_named(std::string_view written) {
   for (const Other& other : own_names)
     if (other.written == written) return {other.name};
+  if (auto covariance = covariance_named(written)) return {std::move(*covariance)};
   const std::string text = plain(written);
   if (text.empty()) return {std::string(written)};
   auto column = with_unit(with_bracket(text).value_or(Parts{text, {}}));

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "drivers/text/printable.hpp"
+#include "hil/score/csv_covariance.hpp"
 
 namespace drydock::score {
 namespace {
@@ -26,8 +27,9 @@ bool is_known(const std::string& name) {
   constexpr std::array groups{csv_geodetic,     csv_local,           csv_angles,
                               csv_velocity,     csv_body_velocity,   csv_local_sigmas,
                               csv_angle_sigmas, csv_velocity_sigmas, csv_body_velocity_sigmas};
-  return among(csv_times, name) || among(csv_other_times, name) || among(csv_quaternion, name) ||
-         among(csv_enu_quaternion, name) || name == csv_correlation ||
+  return is_covariance_column(name) || among(csv_times, name) || among(csv_other_times, name) ||
+         among(csv_quaternion, name) || among(csv_enu_quaternion, name) ||
+         name == csv_correlation ||
          std::ranges::any_of(groups, [&](const CsvGroup& group) { return among(group, name); });
 }
 

@@ -6,7 +6,14 @@
 #include "hil/score/track.hpp"
 
 namespace drydock::score {
+
 bool is_of_nothing(double variance) { return variance < 0 || variance >= large_variance; }
+
+std::array<bool, 3> angles_of_nothing(const Eigen::Matrix3d& turns, bool is_default) {
+  if (turns.diagonal().minCoeff() >= large_variance && !is_default) return {};
+  const bool level = is_of_nothing(turns(0, 0)) && is_of_nothing(turns(1, 1));
+  return {level, level, is_of_nothing(turns(2, 2))};
+}
 
 KnownCovariance known_covariance(Eigen::Matrix3d covariance) {
   if (!covariance.allFinite()) return {{}, "is none: it has a number that is not finite"};

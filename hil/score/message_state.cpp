@@ -43,13 +43,9 @@ class Reader {
     const auto covariance = known("attitude", turns);
     if (covariance && covariance->allFinite())
       state().angles_rad2 = turned(angles_by_turns(state().angles) * enu_to_ned, covariance);
-    // An attitude may be told, and nobody says how good it is.
-    if (turns.diagonal().minCoeff() >= large_variance && !read_.default_attitude) return *this;
-    if (is_of_nothing(turns(0, 0)) && is_of_nothing(turns(1, 1))) {
-      forget_angle(0);
-      forget_angle(1);
-    }
-    if (is_of_nothing(turns(2, 2))) forget_angle(2);
+    const auto nothing = angles_of_nothing(turns, read_.default_attitude);
+    for (Eigen::Index i = 0; i < 3; ++i)
+      if (nothing.at(static_cast<std::size_t>(i))) forget_angle(i);
     return *this;
   }
 

@@ -17,6 +17,7 @@
 #include "hil/score/numbers.hpp"
 #include "hil/score/passed_over.hpp"
 #include "hil/score/read_estimates.hpp"
+#include "hil/score/ros_covariances.hpp"
 
 namespace drydock::score {
 namespace {
@@ -64,6 +65,9 @@ class CsvReader {
     state.angles_rad2 = covariance(csv_angle_sigmas, units::degree);
     state.velocity_m2ps2 =
         covariance(state.velocity_in_body ? csv_body_velocity_sigmas : csv_velocity_sigmas, 1);
+    tell_ros_covariances(
+        head_, [this](const std::string& name) { return this->number(name.c_str()); },
+        [this](const std::string& why) { note(why); }, state);
     if (!wrong_.empty()) return wrong_;
     if (state.says_anything())
       out_.track.push_back(state);

@@ -27,10 +27,22 @@ Reason of_node(std::uint8_t node, std::string_view what) {
   return text;
 }
 
+/// Without a configured node nobody knows which PDOs are its own.
+PdoWatch watch_of(std::uint8_t node, PdoTranslator::Pdos usual, LongerPdos longer) {
+  std::array<canopen::Pdo, PdoTranslator::most> own{};
+  const std::size_t count = node == any ? 0 : std::min(usual.size(), own.size());
+  std::copy_n(usual.begin(), count, own.begin());
+  for (canopen::Pdo& pdo : own) pdo.cob_id += node;
+  return {node, std::span(own).first(count), longer};
+}
+
 }  // namespace
 
-CanopenNode::CanopenNode(const DriverOptions& options)
-    : node_(options.address), source_(options.address), options_(options.canopen) {}
+CanopenNode::CanopenNode(const DriverOptions& options, PdoTranslator::Pdos usual, LongerPdos longer)
+    : node_(options.address),
+      source_(options.address),
+      options_(options.canopen),
+      pdos_(watch_of(options.address, usual, longer)) {}
 
 void CanopenNode::start(std::uint8_t node, Output& out) {
   out.send(canopen::encode(canopen::Nmt{canopen::NmtCommand::start, node}));
@@ -39,6 +51,7 @@ void CanopenNode::start(std::uint8_t node, Output& out) {
 void CanopenNode::restart(Stamp now, Output& out) {
   state_.reset();
   lost_at_.reset();
+  pdos_.restart();
   if (options_.sync_period.count() > 0) next_sync_ = now;
   if (node_ != any) start(node_, out);
 }
@@ -50,8 +63,15 @@ bool CanopenNode::is_of_another(const wire::CanFrame& frame) const {
   return sensor && !frame.extended && !frame.error && node != 0 && node != *sensor;
 }
 
+std::span<const wire::CanFrame> CanopenNode::frames_of(const wire::CanFrame& frame, Stamp at,
+                                                       Output& out) {
+  const auto frames = pdos_.frames_of(frame, at, out);
+  const bool as_it_is = frames.size() == 1 && frames.data() == &frame;
+  return as_it_is && is_of_another(frame) ? std::span<const wire::CanFrame>{} : frames;
+}
+
 std::optional<Stamp> CanopenNode::deadline() const {
-  return measurement::earlier(lost_at_, next_sync_);
+  return measurement::earlier(measurement::earlier(lost_at_, next_sync_), pdos_.deadline());
 }
 
 void CanopenNode::tick(Stamp now, Output& out) {
@@ -61,6 +81,7 @@ void CanopenNode::tick(Stamp now, Output& out) {
     const auto missed = (now - *next_sync_) / options_.sync_period;
     *next_sync_ += (missed + 1) * options_.sync_period;
   }
+  pdos_.tick(now, out);
   if (lost_at_ && *lost_at_ <= now) {
     lost_at_.reset();
     Reason text = of_node(source_.source().value_or(any), " lost: no heartbeat for ");
@@ -71,6 +92,7 @@ void CanopenNode::tick(Stamp now, Output& out) {
 
 void CanopenNode::on(const canopen::Heartbeat& heartbeat, Stamp at, Output& out) {
   if (!ours(heartbeat.node)) return;
+  pdos_.on(heartbeat, at, out);
   const bool waits =
       heartbeat.state == NodeState::boot_up || heartbeat.state == NodeState::pre_operational;
   if (waits && node_ == heartbeat.node) start(node_, out);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drivers/device/bus/pdo_watch.hpp"
 #include "drivers/device/bus/source_filter.hpp"
 #include "drivers/device/driver.hpp"
 #include "drivers/device/driver_options.hpp"
@@ -16,14 +17,18 @@ namespace drydock::device {
 /// node whose process data it accepts is our sensor.
 class CanopenNode {
  public:
-  explicit CanopenNode(const DriverOptions& options);
+  /// `usual`: the PDOs that the protocol reads, as node 0 has them.
+  CanopenNode(const DriverOptions& options, PdoTranslator::Pdos usual,
+              LongerPdos longer = LongerPdos::refused);
 
   void restart(Stamp now, Output& out);
   void tick(Stamp now, Output& out);
   std::optional<Stamp> deadline() const;
 
-  /// True for a frame of the predefined connection set (CiA 301) that belongs to another node.
-  bool is_of_another(const wire::CanFrame& frame) const;
+  /// The frames to decode for one frame of the bus: itself, or the usual PDOs for those of a node
+  /// that was set up in another way. None for a frame of the predefined connection set (CiA 301)
+  /// that belongs to another node.
+  std::span<const wire::CanFrame> frames_of(const wire::CanFrame& frame, Stamp at, Output& out);
 
   /// The sensor was configured, or it was heard.
   bool is_known() const { return source_.source().has_value(); }
@@ -34,6 +39,7 @@ class CanopenNode {
   void on(const wire::canopen::Emergency& emergency, Output& out) const;
 
  private:
+  bool is_of_another(const wire::CanFrame& frame) const;
   bool ours(std::uint8_t node) const { return source_.source().value_or(node) == node; }
   void watch(const wire::canopen::Heartbeat& heartbeat, Stamp at, Output& out);
 
@@ -42,6 +48,7 @@ class CanopenNode {
   std::uint8_t node_;  ///< as configured; 0: any, and none is started
   SourceFilter source_;
   CanopenOptions options_;
+  PdoWatch pdos_;
   std::optional<wire::canopen::NodeState> state_;  ///< from the last heartbeat
   std::optional<Stamp> lost_at_;                   ///< the node is then lost
   std::optional<Stamp> next_sync_;

@@ -16,7 +16,23 @@ template <class Protocol>
 constexpr bool counts = !std::is_same_v<Protocol, wire::Cia404Imu>;
 constexpr std::chrono::seconds counter_round{10};
 
+using canopen::Pdo;
+
+constexpr std::array<Pdo, 3> real_pdos{Pdo(canopen::tpdo_id(1, 0), {0x61300120, 0x61300220}),
+                                       Pdo(canopen::tpdo_id(2, 0), {0x61300320, 0x61300420}),
+                                       Pdo(canopen::tpdo_id(3, 0), {0x61300520, 0x61300620})};
+// Epson's third one, with the temperature, may be off.
+constexpr std::array<Pdo, 2> counted_pdos{
+    Pdo(canopen::tpdo_id(1, 0), {0x21000010, 0x71300110, 0x71300210, 0x71300310}),
+    Pdo(canopen::tpdo_id(2, 0), {0x21000010, 0x71300410, 0x71300510, 0x71300610})};
+
 }  // namespace
+
+template <class Protocol>
+PdoTranslator::Pdos Cia404ImuDriver<Protocol>::usual() {
+  if constexpr (counts<Protocol>) return counted_pdos;
+  return real_pdos;
+}
 
 template <class Protocol>
 void Cia404ImuDriver<Protocol>::restart(Stamp now, Output& out) {
@@ -27,7 +43,13 @@ void Cia404ImuDriver<Protocol>::restart(Stamp now, Output& out) {
 template <class Protocol>
 void Cia404ImuDriver<Protocol>::receive(const wire::CanFrame& frame, Stamp received_at,
                                         Output& out) {
-  if (node_.is_of_another(frame)) return;
+  for (const wire::CanFrame& usual_frame : node_.frames_of(frame, received_at, out))
+    decode(usual_frame, received_at, out);
+}
+
+template <class Protocol>
+void Cia404ImuDriver<Protocol>::decode(const wire::CanFrame& frame, Stamp received_at,
+                                       Output& out) {
   if (const auto node = canopen::node_above(frame, canopen::tpdo_id(1, 0))) {
     first_frame_[*node] = timing_.of_frame(received_at, frame);
   }

@@ -16,7 +16,7 @@ template <class Protocol>
 class Cia404ImuDriver final : public BusDriver<Protocol> {
  public:
   explicit Cia404ImuDriver(const DriverOptions& options)
-      : BusDriver<Protocol>(options), mounting_(options.mounting), node_(options) {}
+      : BusDriver<Protocol>(options), mounting_(options.mounting), node_(options, usual()) {}
 
   void receive(const wire::CanFrame& frame, Stamp received_at, Output& out) override;
   void restart(Stamp now, Output& out) override;
@@ -27,6 +27,8 @@ class Cia404ImuDriver final : public BusDriver<Protocol> {
  private:
   using BusDriver<Protocol>::decoder_, BusDriver<Protocol>::timing_;
 
+  static PdoTranslator::Pdos usual();
+  void decode(const wire::CanFrame& frame, Stamp received_at, Output& out);
   void follow(const wire::CanFrame& frame, Stamp at, Output& out);
   void on(const wire::cia404_imu::ImuSet& set, const Origin& end, Output& out);
 

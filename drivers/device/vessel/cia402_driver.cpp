@@ -10,11 +10,30 @@ namespace drydock::device {
 namespace cia402 = wire::cia402;
 namespace canopen = wire::canopen;
 
+namespace {
+
+using canopen::Pdo;
+
+constexpr Pdo by_position(canopen::tpdo_id(1, 0), {0x60410010, 0x60640020}),
+    by_velocity(canopen::tpdo_id(1, 0), {0x60410010, 0x606C0020});
+
+const Pdo& usual_of(int actuator) {
+  return actuator >= measurement::propeller_number ? by_velocity : by_position;
+}
+
+}  // namespace
+
 Cia402Driver::Cia402Driver(const DriverOptions& options)
-    : BusDriver(options), node_(options), actuator_(options.instance.value_or(0)) {}
+    : BusDriver(options),
+      node_(options, {&usual_of(options.instance.value_or(0)), 1}),
+      actuator_(options.instance.value_or(0)) {}
 
 void Cia402Driver::receive(const wire::CanFrame& frame, Stamp received_at, Output& out) {
-  if (node_.is_of_another(frame)) return;
+  for (const wire::CanFrame& usual : node_.frames_of(frame, received_at, out))
+    decode(usual, received_at, out);
+}
+
+void Cia402Driver::decode(const wire::CanFrame& frame, Stamp received_at, Output& out) {
   const auto message = decoder_.receive(frame);
   if (!message) return;
   if (const auto* status = std::get_if<cia402::DriveStatus>(&*message)) {

@@ -20,6 +20,7 @@ class Cia402Driver final : public BusDriver<wire::Cia402> {
   std::optional<Stamp> deadline() const override { return node_.deadline(); }
 
  private:
+  void decode(const wire::CanFrame& frame, Stamp received_at, Output& out);
   void on(const wire::cia402::DriveStatus& status, const Origin& origin, Output& out);
 
   CanopenNode node_;

@@ -18,6 +18,7 @@ class Cia404PressureDriver final : public BusDriver<wire::Cia404Pressure> {
   std::optional<Stamp> deadline() const override { return node_.deadline(); }
 
  private:
+  void decode(const wire::CanFrame& frame, Stamp received_at, Output& out);
   void on(const wire::cia404_pressure::ProcessValue& value, const Origin& origin, Output& out);
 
   CanopenNode node_;

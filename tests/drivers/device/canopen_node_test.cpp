@@ -11,7 +11,7 @@ using wire::canopen::Heartbeat;
 using enum wire::canopen::NodeState;
 
 struct Watched {
-  explicit Watched(const DriverOptions& o) : node(o) { node.restart(at_s(0), ear); }
+  explicit Watched(const DriverOptions& o) : node(o, {}) { node.restart(at_s(0), ear); }
   /// Lets the node act at every deadline up to `end`.
   void run(double end) {
     for (auto due = node.deadline(); due && *due <= at_s(end); due = node.deadline()) {

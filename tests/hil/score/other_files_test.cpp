@@ -74,6 +74,57 @@ TEST(AnotherFile, OfARosBagHasItsTimeInTwoColumns) {
   }
 }
 
+/// REP-103 and nav_msgs/Odometry: 36 numbers by rows, of x, y, z east, north, up and of turns about
+/// them; of the twist forward, left, up.
+TEST(AnotherFile, OfRosHasTheCovariancesOfItsMessages) {
+  for (const std::string name :
+       {"pose.covariance.", "field.pose.covariance", "/odom/pose/covariance["}) {
+    std::string head =
+        "t_s,x,y,z,pose.orientation.w,pose.orientation.x,pose.orientation.y,"
+        "pose.orientation.z,twist.twist.linear.x,twist.twist.linear.y,twist.twist.linear.z";
+    std::string row = "1,3,4,5,0.70710678,0,0,0.70710678,1.5,0.25,0.125";  // the bow is north
+    for (int i = 0; i < 36; ++i) {
+      head += "," + name + std::to_string(i) + (name.back() == '[' ? "]" : "");
+      row += i == 0             ? ",4"
+             : i == 7           ? ",9"
+             : i == 14          ? ",1"
+             : i == 1 || i == 6 ? ",2"
+             : i == 21          ? ",0.01"
+             : i == 28          ? ",0.04"
+             : i == 35          ? ",0.09"
+                                : ",0";
+    }
+    for (int i = 0; i < 36; ++i) {
+      head += ",twist.covariance." + std::to_string(i);
+      row += i == 0 ? ",0.25" : i == 7 || i == 14 ? ",1" : i == 1 || i == 6 ? ",0.125" : ",0";
+    }
+    const auto read = csv(head + "\n" + row + "\n");
+    ASSERT_EQ(read.track.size(), 1U) << name;
+    EXPECT_THAT(read.notes, IsEmpty()) << name;
+    const State& state = read.track[0];
+    ASSERT_TRUE(state.position_m2 && state.angles_rad2 && state.velocity_m2ps2) << name;
+    EXPECT_EQ(*state.position_m2, (Eigen::Matrix3d{{9, 2, 0}, {2, 4, 0}, {0, 0, 1}}));
+    // The bow is north, so that a turn about north is a roll, one about east a pitch.
+    EXPECT_TRUE(state.angles_rad2->isApprox(
+        Eigen::Matrix3d(Vector3d(0.04, 0.01, 0.09).asDiagonal()), 1e-6));
+    EXPECT_EQ(*state.velocity_m2ps2,
+              (Eigen::Matrix3d{{0.25, -0.125, 0}, {-0.125, 1, 0}, {0, 0, 1}}));
+  }
+}
+
+/// ROS says by a variance of -1 or above 1e6 that a number is none.
+TEST(AnotherFile, OfRosMayTellAPlaceWithoutAHeading) {
+  const auto read =
+      csv("t_s,x,y,z,pose.orientation.w,pose.orientation.x,pose.orientation.y,pose.orientation.z,"
+          "pose.covariance.0,pose.covariance.21,pose.covariance.28,pose.covariance.35\n"
+          "1,3,4,5,1,0,0,0,4,0.01,0.01,-1\n");
+  ASSERT_EQ(read.track.size(), 1U);
+  EXPECT_TRUE(std::isnan(read.track[0].angles.z()));
+  EXPECT_NEAR(read.track[0].angles.x(), 0, 1e-12);
+  EXPECT_FALSE(read.track[0].position_m2) << "eight of its numbers are not there";
+  EXPECT_THAT(read.notes, testing::Contains(HasSubstr("the covariance of its position is none")));
+}
+
 TEST(AnotherFile, OfRos2TopicEchoNeedsNoNames) {
   std::string zeros;
   for (int i = 0; i < 36; ++i) zeros += ",0.0";
