@@ -116,10 +116,24 @@ void PcanTrc::read_head(std::string_view line) {
     }
   }
   if (const auto days = value_of(";$STARTTIME=")) start_ = parse_start(*days);
+  constexpr std::string_view start_word = "Start time: ";
+  if (const auto word = line.find(start_word); word != line.npos)
+    read_other_start(line.substr(word + start_word.size()));
   if (const auto letters = value_of(";$COLUMNS=")) {
     columns_ = *letters;
     std::erase(columns_, ',');
   }
+}
+
+/// The same start in words, as python-can writes it: its version 4.1 counts a log's first time from
+/// now, and writes another fraction of the day. PEAK's programs write the day first.
+void PcanTrc::read_other_start(std::string_view text) {
+  Words words(text);
+  const auto date = parse_date(words.next()), clock = parse_clock(words.next());
+  const auto apart = date && clock ? start_ - (*date + *clock) : nanoseconds{0};
+  if (start_ == nanoseconds{0} || std::chrono::abs(apart) <= std::chrono::seconds{1}) return;
+  start_ = nanoseconds{0};
+  note_ = "its head tells two different starts, so that its times count from its start";
 }
 
 Reading PcanTrc::read_columns(std::string_view line) {

@@ -18,15 +18,18 @@ class PcanTrc final : public LineReader {
  public:
   static constexpr std::string_view name = "trc";
   static bool recognises(std::string_view line);
+  std::string_view note() const override { return note_; }
 
  private:
   Reading read_line(std::string_view line) override;
   void read_head(std::string_view line);
+  void read_other_start(std::string_view text);
   Reading read_columns(std::string_view line);
   Reading on_bus(std::uint32_t bus, Record record);
 
   std::string columns_ = "NOILD";  ///< version 1.0: its files do not state a version
   std::chrono::nanoseconds start_{};
+  std::string_view note_;
   std::string interface_;
 };
 
