@@ -31,10 +31,29 @@ bool is_digit_at(std::string_view text, std::size_t at) {
 /// behind sixteen.
 constexpr std::size_t half_line = 8, shortest_padded = 58;
 
-/// Bytes of pairs of digits. xxd has its letters behind two blanks; others behind `|`, three
-/// blanks, or two and no digits, and two blanks after eight bytes.
-std::optional<std::vector<std::uint8_t>> pairs_in(std::string_view text, bool of_xxd,
-                                                  std::size_t most) {
+/// hexdump and `od -x` print words of this computer's order, the low byte first in the file.
+bool has_words(std::string_view digits) {
+  constexpr std::size_t size = 4;
+  return digits.substr(0, digits.find(' ')).size() == size;
+}
+
+void swap_pairs(std::vector<std::uint8_t>& bytes) {
+  for (std::size_t i = 1; i < bytes.size(); i += 2) std::swap(bytes[i - 1], bytes[i]);
+}
+
+/// Takes the first line off the text.
+std::string_view cut_line(std::string_view& text) {
+  const auto end = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::uint8_t>> pairs_of_dump(std::string_view text, bool of_xxd,
+                                                       std::size_t most) {
   std::vector<std::uint8_t> bytes;
   std::size_t gap = 0;
   for (std::size_t at = 0; at < text.size() && bytes.size() < most;) {
@@ -58,27 +77,6 @@ std::optional<std::vector<std::uint8_t>> pairs_in(std::string_view text, bool of
   return bytes;
 }
 
-/// hexdump and `od -x` print words of this computer's order, the low byte first in the file.
-bool has_words(std::string_view digits) {
-  constexpr std::size_t size = 4;
-  return digits.substr(0, digits.find(' ')).size() == size;
-}
-
-void swap_pairs(std::vector<std::uint8_t>& bytes) {
-  for (std::size_t i = 1; i < bytes.size(); i += 2) std::swap(bytes[i - 1], bytes[i]);
-}
-
-/// Takes the first line off the text.
-std::string_view cut_line(std::string_view& text) {
-  const auto end = std::min(text.find('\n'), text.size());
-  std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
-
-}  // namespace
-
 std::optional<HexDump::Line> HexDump::line_of(std::string_view text, std::size_t most) {
   constexpr std::size_t shortest_place = 4;
   const auto indent = std::min(text.find_first_not_of(" \t"), text.size());
@@ -91,7 +89,7 @@ std::optional<HexDump::Line> HexDump::line_of(std::string_view text, std::size_t
   if (of_xxd) text.remove_prefix(1);
   if (!text.empty() && text[0] != ' ' && text[0] != '\t') return {};
   text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-  auto bytes = pairs_in(text, of_xxd, most);
+  auto bytes = pairs_of_dump(text, of_xxd, most);
   if (!bytes) return {};
   line.bytes = std::move(*bytes);
   if (line.place.size() == od_place && has_words(text)) swap_pairs(line.bytes);

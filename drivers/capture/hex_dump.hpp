@@ -10,6 +10,12 @@
 
 namespace drydock::capture {
 
+/// Bytes of pairs of digits, at most so many. xxd has its letters behind two blanks; others behind
+/// `|`, three blanks, or two and no digits, and two blanks after eight bytes. Empty: other letters
+/// stand among them.
+std::optional<std::vector<std::uint8_t>> pairs_of_dump(std::string_view text, bool of_xxd,
+                                                       std::size_t most);
+
 /// The bytes of a dump in lines: a place, a colon or none, hexadecimal digits, and often the same
 /// as letters, as xxd, `hexdump -C`, `od -t x1` and Wireshark's windows of a stream print them.
 /// Places are hexadecimal, or octal (od). A line `*` says that the bytes of the one before go on.

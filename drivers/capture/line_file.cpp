@@ -51,9 +51,13 @@ void LineFile::begin() {
   const Bytes first = blocks_.read();
   next_ = first;
   if (!raw_) packed_ = wire::packed_content(wire::as_text(first));
-  if (raw_ || !PacketLines::recognises(first)) return;
+  const bool as_text = !raw_ && PacketText::recognises(first);
+  if (raw_ || (!as_text && !PacketLines::recognises(first))) return;
   packets_.emplace(first);
-  buffer_.assign(first.begin(), first.end());
+  if (as_text)
+    text_.emplace().feed(first);
+  else
+    buffer_.assign(first.begin(), first.end());
   if (interface_.empty() && std::ranges::all_of(files_, is_regular)) choose();
 }
 
@@ -103,6 +107,7 @@ bool LineFile::begin_file(Bytes block) {
 }
 
 std::string LineFile::note() const {
+  if (text_) return "packets of a network, as tcpdump or tshark printed them";
   const std::string last = content_.note();
   return notes_ + (notes_.empty() || last.empty() ? "" : "\n") + last;
 }
@@ -134,7 +139,22 @@ std::optional<LineFile::Read> LineFile::next_packet() {
   return {};
 }
 
+std::optional<PacketLines::Piece> LineFile::next_of_text() {
+  for (bool at_end = false;;) {
+    while (const auto packet = text_->next())
+      if (const auto piece = packets_->take(*packet)) return piece;
+    if (at_end) return packets_->finish();
+    const Bytes block = blocks_.read();
+    at_end = block.empty();
+    if (at_end)
+      text_->finish();
+    else
+      text_->feed(block);
+  }
+}
+
 std::optional<PacketLines::Piece> LineFile::next_piece() {
+  if (text_) return next_of_text();
   for (;;) {
     const Bytes rest = Bytes{buffer_}.subspan(at_);
     const Scan scan = packets_->scan(rest);
@@ -192,7 +212,10 @@ bool has_times(const std::string& file) {
 }
 
 bool has_packets(const std::string& file) {
-  return is_regular(file) && PacketLines::recognises(FileBlocks(file).read());
+  if (!is_regular(file)) return false;
+  FileBlocks blocks(file);
+  const Bytes head = blocks.read();
+  return PacketLines::recognises(head) || PacketText::recognises(head);
 }
 
 }  // namespace drydock::capture

@@ -8,11 +8,13 @@
 #include "drivers/capture/byte_content.hpp"
 #include "drivers/capture/file_blocks.hpp"
 #include "drivers/capture/packet_lines.hpp"
+#include "drivers/capture/packet_text.hpp"
 
 namespace drydock::capture {
 
 /// The bytes that a line brought, from a file of those bytes alone, or from a pcap or pcapng file
 /// with packets of serial lines (RTAC) or of a network (UDP, TCP), which also has their times, or
+/// from a text of the latter (tcpdump -X), or
 /// from a log of sentences with the logger's times or TAG blocks. Comments at the head are left
 /// out, hexadecimal text is read as its bytes.
 class LineFile {
@@ -61,7 +63,10 @@ class LineFile {
   bool has_whole_seconds() const { return !packets_ && content_.clock().whole_seconds(); }
   /// True if the times are a logger's without a date: they count from the midnight before the
   /// first one.
-  bool is_without_date() const { return !packets_ && content_.clock().without_date(); }
+  bool is_without_date() const {
+    if (text_) return text_->clock().without_date();
+    return !packets_ && content_.clock().without_date();
+  }
 
  private:
   void begin();
@@ -71,6 +76,7 @@ class LineFile {
   std::optional<Read> next_packet();
   std::optional<Read> next_part();
   std::optional<PacketLines::Piece> next_piece();
+  std::optional<PacketLines::Piece> next_of_text();
 
   std::vector<std::string> files_;
   std::string interface_;
@@ -79,6 +85,7 @@ class LineFile {
   std::function<bool()> ended_ = [] { return false; };
   ByteContent content_;
   std::optional<PacketLines> packets_;
+  std::optional<PacketText> text_;    ///< of those packets
   std::vector<std::uint8_t> buffer_;  ///< of a file of packets: blocks that are not read yet
   std::size_t at_ = 0;
   std::uint64_t cut_ = 0;      ///< bytes of packets that are not whole at the ends of files
@@ -92,8 +99,8 @@ class LineFile {
   std::optional<std::chrono::nanoseconds> last_time_;
 };
 
-/// True for a pcapng file, whatever is in it, and for a pcap file of a network. A look takes bytes
-/// out of a pipe, so a pipe is none.
+/// True for a pcapng file, whatever is in it, for a pcap file of a network, and for a text of such
+/// packets. A look takes bytes out of a pipe, so a pipe is none.
 bool has_packets(const std::string& file);
 
 /// True for a regular file whose first read has a time.

@@ -28,8 +28,11 @@ std::optional<PacketLines::Piece> PacketLines::read(Bytes unit) {
   if (const auto* file = std::get_if<Pcapng>(&file_))
     for (const auto& name : file->serial_lines()) line_of(name, true);
   const auto packet = std::visit([&](auto& file) { return file.packet(unit); }, file_);
-  if (!packet) return {};
-  return packet->link_type == linktype_rtac_serial ? read_serial(*packet) : read_network(*packet);
+  return packet ? take(*packet) : std::nullopt;
+}
+
+std::optional<PacketLines::Piece> PacketLines::take(const CapturedPacket& packet) {
+  return packet.link_type == linktype_rtac_serial ? read_serial(packet) : read_network(packet);
 }
 
 std::size_t PacketLines::line_of(const std::string& name, bool serial) {

@@ -44,6 +44,8 @@ class PacketLines {
   Scan scan(Bytes bytes);
   /// Empty: the unit, a frame of scan(), adds nothing to a line now.
   std::optional<Piece> read(Bytes unit);
+  /// The same of a packet that no file of packets has.
+  std::optional<Piece> take(const CapturedPacket& packet);
   /// At the end of the file, until it is empty: what waited behind gaps of a TCP stream.
   std::optional<Piece> finish();
 

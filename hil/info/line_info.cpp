@@ -14,7 +14,10 @@ namespace drydock::info {
 namespace {
 
 std::string_view format_of(const std::string& file) {
-  return capture::Pcapng::recognises(capture::FileBlocks(file).read()) ? "pcapng" : "pcap";
+  capture::FileBlocks blocks(file);
+  const auto head = blocks.read();
+  if (capture::Pcapng::recognises(head)) return "pcapng";
+  return capture::PacketText::recognises(head) ? "packets as text" : "pcap";
 }
 
 double covered_s(const LineInfo& line) {
