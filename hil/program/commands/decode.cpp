@@ -57,7 +57,7 @@ void add_decode(CLI::App& app, Command& command) {
       app.add_subcommand("decode", "Turn a recording into JSON Lines, one object a message");
   sub->footer(
       "Example: drydock decode --protocol pd0 dive.pd0\n"
-      "         drydock decode --protocol nmea0183 dive.000 dive.001 dive.002\n"
+      "         drydock decode --protocol pd0 dive-1.pd0 dive-2.pd0 dive-3.pd0\n"
       "         drydock decode --protocol can trace.asc\n"
       "         drydock decode --dbc imu.dbc can.log\n"
       "         drydock decode --pgns canboat.json can.log\n"

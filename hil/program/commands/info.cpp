@@ -19,7 +19,7 @@ void add_info(CLI::App& app, Command& command) {
   sub->footer(
       "Example: drydock info dive.mcap\n"
       "         drydock info trace.asc --json\n"
-      "         drydock info dive.*");
+      "         drydock info dive-1.pd0 dive-2.pd0");
   sub->add_option("FILE", a->files, "recording (MCAP), CAN capture, or bytes of one line; several")
       ->required();
   sub->add_flag("--json", a->json,
