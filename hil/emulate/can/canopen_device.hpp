@@ -23,7 +23,8 @@ struct CanopenProfile {
 /// A sampling device that is a CANopen node (CiA 301): boot-up message, heartbeat each second, NMT,
 /// SDO server, emergencies, node guarding, a watch on its master. In the operational state it
 /// samples at its rate, or on each SYNC if the configuration says so; a master may set up its PDOs
-/// and its communication until a reset, or save them (1010h).
+/// and its communication until a reset, or save them (1010h). How it was set up it says to the
+/// bench.
 class CanopenDevice : public SamplingDevice, private CanopenDictionary {
  public:
   std::optional<Stamp> deadline() const final;
@@ -84,8 +85,9 @@ class CanopenDevice : public SamplingDevice, private CanopenDictionary {
   Found read_entry(const Entry& entry) const final;
   std::uint32_t write_entry(const wire::canopen::SdoWrite& request, Stamp now, Wire& out) final;
   std::optional<std::uint32_t> set(const wire::canopen::SdoWrite& request, Stamp now, Wire& out);
-  std::optional<std::uint32_t> set_pdo(const wire::canopen::SdoWrite& request, Stamp now);
-  std::optional<std::uint32_t> set_general(const wire::canopen::SdoWrite& request);
+  std::optional<std::uint32_t> set_pdo(const wire::canopen::SdoWrite& request, Stamp now,
+                                       Wire& out);
+  std::optional<std::uint32_t> set_general(const wire::canopen::SdoWrite& request, Wire& out);
 
   CanopenProfile profile_;
   std::uint8_t node_;

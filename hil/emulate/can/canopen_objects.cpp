@@ -107,8 +107,8 @@ std::uint32_t CanopenDevice::write_entry(const canopen::SdoWrite& request, Stamp
 std::optional<std::uint32_t> CanopenDevice::set(const canopen::SdoWrite& request, Stamp now,
                                                 Wire& out) {
   if (request.entry.index < cia301::first_of_maker) {
-    if (const auto code = set_general(request)) return code;
-    if (const auto code = set_pdo(request, now)) return code;
+    if (const auto code = set_general(request, out)) return code;
+    if (const auto code = set_pdo(request, now, out)) return code;
     const auto code = write(settings_, request);
     if (code != sdo::taken) return code;
     if (request.entry.index == cia301::consumer_heartbeat) life_.forget_heartbeat();
@@ -126,7 +126,8 @@ std::optional<std::uint32_t> CanopenDevice::set(const canopen::SdoWrite& request
 }
 
 /// Commands of the signature, and the number of errors, which 0 clears.
-std::optional<std::uint32_t> CanopenDevice::set_general(const canopen::SdoWrite& request) {
+std::optional<std::uint32_t> CanopenDevice::set_general(const canopen::SdoWrite& request,
+                                                        Wire& out) {
   const auto [index, subindex] = request.entry;
   if (index == cia301::errors && subindex == 0) {
     if (request.size != 1) return sdo::wrong_length;
@@ -139,17 +140,23 @@ std::optional<std::uint32_t> CanopenDevice::set_general(const canopen::SdoWrite&
   if (request.value != (index == cia301::store ? save : load)) return sdo::wrong_signature;
   if (index == cia301::store) {
     keep();
+    out.tell("to save its settings");
   } else {
     memory_->bytes.clear();  // it counts from the next reset on
+    out.tell("to be as delivered from its next reset on");
   }
   return sdo::taken;
 }
 
 /// A node that sampled on SYNC alone begins to sample by its own time from now on.
-std::optional<std::uint32_t> CanopenDevice::set_pdo(const canopen::SdoWrite& request, Stamp now) {
+std::optional<std::uint32_t> CanopenDevice::set_pdo(const canopen::SdoWrite& request, Stamp now,
+                                                    Wire& out) {
   const bool rested = !any_at_samples(tpdos_);
-  auto code = tpdos_.write(request);
-  if (!code) code = rpdos_.write(request);
+  const bool sent = tpdos_.read(request.entry).has_value();
+  CanopenPdos& pdos = sent ? tpdos_ : rpdos_;
+  const auto code = pdos.write(request);
+  const bool is_mapping = (request.entry.index & 0x0200) != 0;  // 1600h, 1A00h: before it is on
+  if (code == sdo::taken && !is_mapping) out.tell(pdos.in_words(request.entry));
   if (rested && any_at_samples(tpdos_)) go_on_at_whole_multiples(rate_hz(), now);
   if (code == sdo::taken && is_operational()) schedule_.begin(tpdos_, now);
   return code;

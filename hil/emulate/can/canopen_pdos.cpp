@@ -1,5 +1,7 @@
 #include "hil/emulate/can/canopen_pdos.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "hil/emulate/can/canopen_codes.hpp"
@@ -117,6 +119,21 @@ std::optional<std::uint32_t> CanopenPdos::write(const SdoWrite& request) {
   if (group == mappings_) return set_mapping(pdos_[place], request);
   if (request.entry.subindex == 0) return {};
   return set_parameter(pdos_[place], request);
+}
+
+std::string CanopenPdos::in_words(const ObjectEntry& parameter) const {
+  const std::size_t place = parameter.index & 0xFF;
+  const CanopenPdo& pdo = pdos_.at(place);
+  const auto name =
+      fmt::format("{}PDO{}", kind_.direction == Direction::sent ? 'T' : 'R', place + 1);
+  if (!pdo.is_on()) return name + " off";
+  std::string text = fmt::format("{} {:X}h, type {}", name, pdo.id(), pdo.type);
+  if (pdo.timer_ms != 0) text += fmt::format(", event timer {} ms", pdo.timer_ms);
+  if (pdo.inhibit != 0) text += fmt::format(", inhibit time {} us", pdo.inhibit_time().count());
+  for (std::size_t i = 0; i < pdo.objects; ++i)
+    text += fmt::format("{} {:X}h:{}", i == 0 ? ":" : ",", pdo.mapping[i] >> 16,
+                        pdo.mapping[i] >> 8 & 0xFF);
+  return text;
 }
 
 std::uint32_t CanopenPdos::set_parameter(CanopenPdo& pdo, const SdoWrite& request) const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "drivers/wire/canopen/canopen_sdo.hpp"
 
@@ -66,6 +67,8 @@ class CanopenPdos {
   /// Empty: not an object of these, or one that cannot be set; else the code of the refusal, 0 for
   /// none.
   std::optional<std::uint32_t> write(const wire::canopen::SdoWrite& request);
+  /// How the PDO of a parameter (1400h, 1800h and following) is set up, for a person.
+  std::string in_words(const wire::canopen::ObjectEntry& parameter) const;
 
  private:
   bool times_are_there() const { return kind_.direction == Direction::sent; }

@@ -17,6 +17,8 @@ TEST(CanopenMapping, APdoHasTheObjectsAndTheNumberThatAMasterGives) {
   for (const char* write : {"601#2300180181010080", "601#2F001A0000000000", "601#23001A0108015061",
                             "601#23001A0220013061", "601#2F001A0002000000", "601#23001801C1010000"})
     EXPECT_TRUE(taken(master.ask(write))) << write;
+  EXPECT_EQ(master.sent.told,
+            (std::vector<std::string>{"TPDO1 off", "TPDO1 1C1h, type 254: 6150h:1, 6130h:1"}));
   master.ask("000#0101");
   EXPECT_EQ(master.count(0x181, 0.95), 0u);
   EXPECT_EQ(master.count(0x1C1, 1.95), 10u);
