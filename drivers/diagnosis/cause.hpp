@@ -58,6 +58,7 @@ struct CauseFacts {
   std::string_view advice;   ///< what a person should try first
   bool severe = false;       ///< the device gives nothing, or nothing that is right
   bool misleads = false;     ///< its values look sound and are not: estimators leave them out
+  bool mistimes = false;     ///< its values are sound, and their times of validity are not
 };
 
 std::span<const CauseFacts> causes();

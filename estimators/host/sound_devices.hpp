@@ -16,8 +16,12 @@ class SoundDevices final : public Follower {
       : rig_(rig), pipeline_(pipeline) {}
 
   void on_finding(const diagnosis::Finding& finding) override {
-    if (!diagnosis::facts_of(finding.cause).misleads) return;
-    if (rig_.devices.at(finding.device).kind == measurement::Kind::imu)
+    const auto& facts = diagnosis::facts_of(finding.cause);
+    const auto kind = rig_.devices.at(finding.device).kind;
+    // A receiver's values are right at another time: a rolling airframe has turned meanwhile.
+    const bool mistimed = facts.mistimes && kind == measurement::Kind::gnss;
+    if (!facts.misleads && !mistimed) return;
+    if (kind == measurement::Kind::imu || mistimed)
       return pipeline_.doubt(finding.device, !finding.until);
     pipeline_.leave_out(finding.device, !finding.until, finding.until.value_or(finding.found));
   }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "drivers/measurement/units.hpp"
+#include "estimators/pipeline/gate_limits.hpp"
 
 namespace drydock::pipeline {
 
@@ -12,27 +13,11 @@ using measurement::seconds;
 
 namespace {
 
-/// Differences before the noise counts as known; until then no step is judged.
-constexpr int learn_samples = 50;
-
-/// Eight times the mean absolute difference is 6.4 standard deviations of a normal difference.
-constexpr double noise_times = 8;
-
 /// Standard deviation of a normal value over its mean absolute value, the root of pi / 2.
 constexpr double per_mean_size = 1.2533;
 
-/// Weight of a new difference, and how often the mean it counts at most: so wild differences that
-/// are just below the limit do not lift it without end.
-constexpr double newest_share = 0.05, most_usual = 2;
-
-/// A step this small is no concern of the gate, however quiet the IMU is: rad/s, m/s2.
-constexpr double least_turn = 1e-3, least_force = 0.02;
-
-/// So many samples in a row that agree with each other make a step.
-constexpr int step_samples = 8;
-
-/// After this time without a good sample the next possible one is used, whatever it is.
-constexpr double longest_doubt_s = 0.3;
+/// As gate::least_turn, m/s2.
+constexpr double least_force = 0.02;
 
 /// So many equal samples in a row were those of a sensor that stood still. Noise makes that
 /// improbable.
@@ -63,7 +48,7 @@ ImuGate::Verdict ImuGate::judge(const measurement::ImuSample& sample) {
   Point now{sample.origin.valid_at, {}};
   now.values << sample.angular_rate, sample.specific_force;
   if (!possible(now.values) || frozen(now.values)) return Verdict::wild;
-  if (good_ && learned_ >= learn_samples && (goes_on(now) || !reachable(*good_, now)))
+  if (good_ && learned_ >= gate::learn_samples && (goes_on(now) || !reachable(*good_, now)))
     return doubt(now);
   learn(now);
   if (stands_still()) {
@@ -109,8 +94,8 @@ bool ImuGate::possible(const Vector6& values) const {
 
 ImuGate::Vector6 ImuGate::margin() const {
   Vector6 least;
-  least << Eigen::Vector3d::Constant(least_turn), Eigen::Vector3d::Constant(least_force);
-  return (noise_times * usual_).cwiseMax(least);
+  least << Eigen::Vector3d::Constant(gate::least_turn), Eigen::Vector3d::Constant(least_force);
+  return (gate::noise_times * usual_).cwiseMax(least);
 }
 
 bool ImuGate::reachable(const Point& from, const Point& to) const {
@@ -129,9 +114,9 @@ ImuGate::Verdict ImuGate::doubt(const Point& now) {
   } else {
     run_ = Run{now, now.values - good_->values, 1};
   }
-  if (run_->samples < step_samples && seconds(now.at - good_->at) < longest_doubt_s)
+  if (run_->samples < gate::step_samples && seconds(now.at - good_->at) < gate::longest_doubt_s)
     return Verdict::wild;
-  const bool steady = run_->samples >= step_samples;
+  const bool steady = run_->samples >= gate::step_samples;
   if (steady && run_->still && still_ < still_samples) {
     stuck_at_ = now.values;
     return Verdict::wild;
@@ -143,7 +128,7 @@ ImuGate::Verdict ImuGate::doubt(const Point& now) {
 ImuStep ImuGate::step_of_run() const {
   ImuStep step;
   step.thawed = still_ >= still_samples && !run_->still;
-  if (run_->samples < step_samples) {  // the samples do not agree, so nothing is known
+  if (run_->samples < gate::step_samples) {  // the samples do not agree, so nothing is known
     step.rate_sigma = run_->leap.head<3>().norm();
     step.force_sigma = run_->leap.tail<3>().norm();
     return step;
@@ -166,9 +151,10 @@ void ImuGate::learn(const Point& now) {
 }
 
 void ImuGate::learn_noise(const Vector6& change) {
-  const double share = std::max(newest_share, 1.0 / (1 + learned_));
+  const double share = std::max(gate::newest_share, 1.0 / (1 + learned_));
   Vector6 most = Vector6::Constant(std::numeric_limits<double>::infinity());
-  if (learned_ >= learn_samples) most = most_usual * usual_.cwiseMax(margin() / noise_times);
+  if (learned_ >= gate::learn_samples)
+    most = gate::most_usual * usual_.cwiseMax(margin() / gate::noise_times);
   usual_ += share * (change.cwiseAbs().cwiseMin(most) - usual_);
   off_trend_ += share * ((change - trend_).cwiseAbs().cwiseMin(most) - off_trend_);
   trend_ += share * (change - trend_);
@@ -177,7 +163,7 @@ void ImuGate::learn_noise(const Vector6& change) {
     turns_(i) += share * ((change(i) * change_(i) < 0 ? 1 : 0) - turns_(i));
     change_(i) = change(i);
   }
-  learned_ = std::min(learned_ + 1, learn_samples);
+  learned_ = std::min(learned_ + 1, gate::learn_samples);
 }
 
 ImuGate::Verdict ImuGate::believe(const Point& now, Verdict verdict) {

@@ -25,6 +25,15 @@ constexpr double surely_in_sight_rad = 0.1;
 constexpr std::chrono::milliseconds climb_span{500};
 constexpr double climb_sigma_rad = 0.015;
 
+/// A rocket spins up, which no vehicle under water does: 0 to 3 turns a second in one second. A
+/// faster leap of the roll gyro has to last for eight samples before it is believed.
+constexpr double spin_up_radps2 = 20;
+
+/// Signals that contradict so often, each time so soon behind the time before, say that the roll is
+/// wrong by more than a filter finds back from.
+constexpr int contradictions_of_a_wrong_roll = 3;
+constexpr std::chrono::seconds soon{5};
+
 /// Without an epoch of satellites for this long the roll is only that of the gyro.
 constexpr std::chrono::seconds longest_without_epoch{10};
 
@@ -59,7 +68,8 @@ RollEstimator::RollEstimator(Seat seat, const RollOptions& options, const Pipeli
       max_imu_gap_(pipeline.max_imu_gap),
       max_fix_age_(pipeline.max_speed_age),
       alert_(pipeline.alert),
-      filter_(filter_options(options)) {}
+      filter_(filter_options(options)),
+      gate_(spin_up_radps2) {}
 
 Outcome RollEstimator::take(const ImuSample& sample, EstimateListener& listener) {
   if (sample.origin.device != imu_) return Outcome::unused;
@@ -74,6 +84,11 @@ Outcome RollEstimator::take(const ImuSample& sample, EstimateListener& listener)
     stop();
   }
   far_behind_ = 0;
+  if (!gate_.believes(at, rate)) {
+    ++status_.wild;
+    return Outcome::refused;
+  }
+  if (imu_doubted_ || gnss_doubted_) trust_.judge(true, at);
   if (!gyro_.empty()) {
     const double dt = seconds(at - last_);
     filter_.predict(0.5 * (gyro_.rate() + rate), dt);
@@ -84,6 +99,11 @@ Outcome RollEstimator::take(const ImuSample& sample, EstimateListener& listener)
   last_ = at;
   if (filter_.running() && knows_axis(at)) emit(listener);
   return Outcome::accepted;
+}
+
+void RollEstimator::doubt(std::uint16_t device, bool doubted) {
+  if (device == imu_) imu_doubted_ = doubted;
+  if (device == gnss_) gnss_doubted_ = doubted;
 }
 
 Outcome RollEstimator::take(const GnssFix& fix, EstimateListener&) {
@@ -155,8 +175,22 @@ Outcome RollEstimator::take(const GnssSatellites& sky, EstimateListener&) {
   status_.state = EstimatorState::running;
   epoch_ = at;
   status_.rejected = filter_.rejected();
+  judge();
   fed_by_ = mask_of(imu_) | mask_of(gnss_);
   return at < last_ ? Outcome::delayed : Outcome::accepted;
+}
+
+/// Eq. (37) of docs/estimators/roll.md. The filter first looks for the roll where it is, then
+/// everywhere.
+void RollEstimator::judge() {
+  if (!filter_.watch().contradicts()) return;
+  trust_.judge(true, last_);
+  contradictions_ = contradicted_ && last_ - *contradicted_ <= soon ? contradictions_ + 1 : 1;
+  contradicted_ = last_;
+  if (contradictions_ < contradictions_of_a_wrong_roll) return filter_.loosen();
+  ++status_.divergences;
+  contradictions_ = 0;
+  filter_.restart();
 }
 
 bool RollEstimator::clock_was_set_back(const ImuSample& sample) {
@@ -169,6 +203,7 @@ void RollEstimator::stop() {
   if (filter_.running()) ++status_.restarts;
   status_.state = EstimatorState::waiting_for_imu;
   filter_.restart();
+  gate_.forget();
   gyro_.clear();
   axis_.reset();
   height_.reset();
@@ -180,8 +215,8 @@ Integrity RollEstimator::integrity_of(const AttitudeEstimate& estimate) const {
   integrity.pitch_bound_rad = bound_of(estimate.covariance(1, 1));
   integrity.heading_bound_rad = integrity.pitch_bound_rad;
   // The comparison of the roll is false for NaN too.
-  integrity.valid =
-      integrity.roll_bound_rad <= alert_.attitude_rad && last_ - epoch_ <= longest_without_epoch;
+  integrity.valid = integrity.roll_bound_rad <= alert_.attitude_rad &&
+                    last_ - epoch_ <= longest_without_epoch && trust_.settled(last_);
   return integrity;
 }
 

@@ -5,6 +5,8 @@
 #include "estimators/pipeline/estimator.hpp"
 #include "estimators/pipeline/gyro_angle.hpp"
 #include "estimators/pipeline/options.hpp"
+#include "estimators/pipeline/rate_gate.hpp"
+#include "estimators/pipeline/trust.hpp"
 #include "estimators/roll/all_satellites.hpp"
 
 namespace drydock::pipeline {
@@ -24,6 +26,7 @@ class RollEstimator final : public Estimator {
   Outcome take(const measurement::ImuSample& sample, EstimateListener& listener) override;
   Outcome take(const measurement::GnssFix& fix, EstimateListener& listener) override;
   Outcome take(const measurement::GnssSatellites& sky, EstimateListener& listener) override;
+  void doubt(std::uint16_t device, bool doubted) override;
   const EstimatorStatus& status() const override { return status_; }
 
   const roll::AllSatellites& filter() const { return filter_; }
@@ -44,6 +47,7 @@ class RollEstimator final : public Estimator {
   void stop();
   std::optional<Eigen::Vector3d> velocity_of(const measurement::GnssFix& fix);
   bool knows_axis(measurement::Stamp at) const;
+  void judge();
   void emit(EstimateListener& listener);
   Integrity integrity_of(const AttitudeEstimate& estimate) const;
 
@@ -53,6 +57,11 @@ class RollEstimator final : public Estimator {
   AlertLimits alert_;
   measurement::Stamp epoch_{};  ///< the last one that was used
   roll::AllSatellites filter_;
+  RateGate gate_;
+  Trust trust_;  ///< of the satellites in the roll, and of findings in its devices
+  bool imu_doubted_ = false, gnss_doubted_ = false;  ///< by a finding
+  std::optional<measurement::Stamp> contradicted_;   ///< the last time that the signals did
+  int contradictions_ = 0;                           ///< in a row
   GyroAngle gyro_;
   measurement::Stamp last_{};  ///< last IMU sample and time of the filter; valid if gyro_ has one
   std::optional<Axis> axis_;   ///< from the newest fix

@@ -27,13 +27,25 @@ void AllSatellites::start() {
     hypotheses_.emplace_back(i * spacing, spacing / 2, options_);
 }
 
+void AllSatellites::restart() {
+  hypotheses_.clear();
+  watch_.clear();
+}
+
+void AllSatellites::loosen() {
+  for (Hypothesis& h : hypotheses_) h.loosen(watch_.error_rad(), options_.bias_sigma_radps);
+  watch_.clear();
+}
+
 void AllSatellites::predict(double rate_radps, double dt) {
+  since_epoch_s_ += dt;
   for (Hypothesis& h : hypotheses_) h.predict(options_, rate_radps, dt);
 }
 
 void AllSatellites::update(const Epoch& epoch) {
   if (!running()) start();
   slots_.begin_epoch();
+  for (Hypothesis& h : hypotheses_) h.evidence = {};
   for (const Signal& signal : epoch.signals) {
     const auto place = slots_.place_of(signal.satellite);
     if (!place) continue;
@@ -45,6 +57,12 @@ void AllSatellites::update(const Epoch& epoch) {
     }
   }
   weigh();
+  if (hypotheses_.size() == 1) {
+    watch_.add(best().evidence, since_epoch_s_);
+  } else {
+    watch_.clear();
+  }
+  since_epoch_s_ = 0;
 }
 
 void AllSatellites::weigh() {

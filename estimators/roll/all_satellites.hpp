@@ -18,7 +18,10 @@ class AllSatellites {
 
   void predict(double rate_radps, double dt);  ///< does nothing before the first epoch
   void update(const Epoch& epoch);             ///< the first epoch starts the filter
-  void restart() { hypotheses_.clear(); }
+  void restart();
+  /// The signals contradict the roll: it is uncertain by the error that they tell, and the gyro's
+  /// bias as much as at the start.
+  void loosen();
 
   bool running() const { return !hypotheses_.empty(); }
   double roll() const;  ///< of the most likely hypothesis, (-pi, pi]
@@ -29,6 +32,9 @@ class AllSatellites {
   double common_gain() const { return best().state()(2); }
   std::size_t hypotheses() const { return hypotheses_.size(); }
   std::uint64_t rejected() const { return rejected_; }  ///< signals outside the gate of the best
+
+  /// What the signals say against the roll. Empty while several hypotheses are left.
+  const RollWatch& watch() const { return watch_; }
 
   const Hypothesis& best() const { return hypotheses_.front(); }  ///< only when running()
 
@@ -41,6 +47,8 @@ class AllSatellites {
   AllSatellitesOptions options_;
   boost::container::static_vector<Hypothesis, most_hypotheses> hypotheses_;  ///< most likely first
   SatelliteSlots slots_;
+  RollWatch watch_;
+  double since_epoch_s_ = 0;
   std::uint64_t rejected_ = 0;
 };
 

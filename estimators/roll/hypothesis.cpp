@@ -48,11 +48,17 @@ bool Hypothesis::update(const AllSatellitesOptions& options, const Signal& signa
   const auto seen = interval_of(options.antenna, signal);
   if (!seen) return true;
   const Interval z{(seen->low - expected) / sigma, (seen->high - expected) / sigma};
+  const double leverage = by_roll / sigma;  // of the roll on this signal, in sigmas
   if (z.low > options.gate || z.high < -options.gate) {
     log_likelihood -= 0.5 * options.gate * options.gate;
+    const double beyond = z.low > options.gate ? options.gate : -options.gate;
+    evidence.score += leverage * beyond;
+    evidence.information += leverage * leverage;
     return false;
   }
   const Moments moments = within(z);
+  evidence.score += leverage * moments.shift;
+  evidence.information += leverage * leverage * moments.shrink;
   log_likelihood += moments.log_probability - (z.low == z.high ? std::log(sigma) : 0);  // eq. (33)
   shift(ph, moments.shift / sigma, moments.shrink / variance);
   return true;
@@ -61,6 +67,11 @@ bool Hypothesis::update(const AllSatellitesOptions& options, const Signal& signa
 void Hypothesis::shift(const State& ph, double by, double shrink) {
   x_ += ph * by;
   p_.noalias() -= ph * (ph * shrink).transpose();
+}
+
+void Hypothesis::loosen(double roll_sigma_rad, double bias_sigma_radps) {
+  p_(i_roll, i_roll) += roll_sigma_rad * roll_sigma_rad;
+  p_(i_bias, i_bias) += bias_sigma_radps * bias_sigma_radps;
 }
 
 void Hypothesis::forget_gain(std::size_t slot, double sigma) {

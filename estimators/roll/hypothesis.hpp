@@ -6,6 +6,7 @@
 #include "drivers/measurement/units.hpp"
 #include "estimators/roll/antenna.hpp"
 #include "estimators/roll/epoch.hpp"
+#include "estimators/roll/roll_watch.hpp"
 
 namespace drydock::roll {
 
@@ -39,6 +40,9 @@ class Hypothesis {
   bool update(const AllSatellitesOptions& options, const Signal& signal, const SightLine& line,
               const Epoch& epoch, std::size_t slot);
 
+  /// The roll and the gyro's bias are less certain than they were: one sigma more of each.
+  void loosen(double roll_sigma_rad, double bias_sigma_radps);
+
   /// Resets the gain number `slot` for another satellite.
   void forget_gain(std::size_t slot, double sigma);
 
@@ -46,6 +50,7 @@ class Hypothesis {
   const Covariance& covariance() const { return p_; }
 
   double log_likelihood = 0;  ///< of all signals so far; only differences have a meaning
+  Evidence evidence;          ///< of the signals since it was last reset
 
  private:
   void shift(const State& gain, double by, double shrink);

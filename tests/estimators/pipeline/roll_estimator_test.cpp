@@ -5,8 +5,7 @@
 #include <limits>
 
 #include "estimators/frame/attitude.hpp"
-#include "tests/estimators/pipeline/support.hpp"
-#include "tests/estimators/roll/flight.hpp"
+#include "tests/estimators/pipeline/rocket.hpp"
 
 namespace drydock::pipeline::roll_estimator_test {
 namespace {
@@ -14,61 +13,10 @@ namespace {
 using roll::test::degree;
 using std::chrono::milliseconds;
 using test::at_ms;
-
-constexpr std::uint16_t gnss_device = 7;
-constexpr double boresight_dbhz = 48;
-
-PipelineOptions rolling(milliseconds window = milliseconds{0}) {
-  PipelineOptions options;
-  EstimatorOptions& estimator = options.estimators.emplace_back();
-  estimator.name = "roll";
-  estimator.imu = test::imu_device;
-  estimator.kind.emplace<RollOptions>().gnss = gnss_device;
-  options.reorder_window = window;
-  return options;
-}
-
-/// A steady roll under eight satellites. The receiver rounds to whole dB.
-struct Rocket {
-  roll::test::Flight flight;
-  double speed_mps = 300;
-
-  measurement::ImuSample imu(std::int64_t ms) const {
-    measurement::ImuSample sample = test::imu(ms);
-    sample.angular_rate = {flight.rate_radps, 0, 0};
-    return sample;
-  }
-  measurement::GnssFix fix(std::int64_t ms) const {
-    measurement::GnssFix fix;
-    fix.origin.valid_at = at_ms(ms);
-    fix.origin.device = gnss_device;
-    const double along = speed_mps * std::cos(flight.pitch);
-    fix.velocity_ned =
-        Eigen::Vector3d{along * std::cos(flight.azimuth), along * std::sin(flight.azimuth),
-                        -speed_mps * std::sin(flight.pitch)};
-    return fix;
-  }
-  measurement::GnssSatellites sky(std::int64_t ms) {
-    measurement::GnssSatellites sky;
-    sky.origin.valid_at = at_ms(ms);
-    sky.origin.device = gnss_device;
-    for (const auto& signal : flight.at(0.001 * static_cast<double>(ms))) {
-      const auto& way = roll::test::directions[signal.satellite];
-      measurement::Satellite satellite;
-      satellite.number = static_cast<std::uint8_t>(signal.satellite + 1);
-      satellite.elevation_rad = way[0] * degree;
-      satellite.azimuth_rad = way[1] * degree;
-      const double cno =
-          std::round(boresight_dbhz + 10 * std::log10(std::max(*signal.power, 1e-9)));
-      if (cno >= 20) satellite.cno_dbhz = cno;
-      sky.satellites.push_back(satellite);
-    }
-    return sky;
-  }
-  double roll_deg(std::int64_t ms) const {
-    return frame::wrap_pi(flight.roll(0.001 * static_cast<double>(ms))) / degree;
-  }
-};
+using test::boresight_dbhz;
+using test::gnss_device;
+using test::Rocket;
+using test::rolling;
 
 /// Feeds all samples until `end_ms`. Epochs arrive `late_ms` after their time.
 void fly(Pipeline& pipeline, Rocket& rocket, int end_ms, int late_ms = 0) {
