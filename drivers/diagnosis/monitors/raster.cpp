@@ -35,7 +35,8 @@ Raster::Arrival Raster::add(Stamp at, double behind_s, HostLate host) {
   }
   const Stamp last = *last_;
   const double off_s = measurement::seconds(at - last) - period_s_;
-  const Arrival arrival = judge(at);
+  Arrival arrival = judge(at);
+  arrival.host_held = arrival.step == Step::crowded && host.lately_s + tolerance_s_ > period_s_;
   const bool is_late = off_s > tolerance_s_ && may_be_late(host, off_s, arrival.step);
   const bool is_early = off_s < -tolerance_s_ && off_s > -most_early_share * period_s_ &&
                         -off_s <= begun_late_s + host.lately_s + tolerance_s_;

@@ -31,8 +31,9 @@ class Raster {
 
   struct Arrival {
     Step step = Step::first;
-    double interval_s = 0;  ///< since the last message that was not crowded
-    long slots = 0;         ///< the interval in periods
+    double interval_s = 0;   ///< since the last message that was not crowded
+    long slots = 0;          ///< the interval in periods
+    bool host_held = false;  ///< this computer may have held the one before until this one came
   };
 
   /// `nominal_rate_hz`: as the rig states it; 0: it states none.

@@ -123,7 +123,7 @@ void TimeMonitor::step(Stream& stream, const Raster::Arrival& arrival, Stamp at,
     case Step::regular: regular(stream, at); break;
     case Step::missing:
     case Step::odd: pause(stream, arrival, at); break;
-    case Step::crowded: crowded(stream, at, same); break;
+    case Step::crowded: crowded(stream, arrival, at, same); break;
   }
   tell_rate(stream, at);
   if (arrival.step != Step::regular) tell_pattern(stream, at);
@@ -175,12 +175,10 @@ void TimeMonitor::pause(Stream& stream, const Raster::Arrival& arrival, Stamp at
   stream.regular = 0;
 }
 
-void TimeMonitor::crowded(Stream& stream, Stamp at, bool same) {
+void TimeMonitor::crowded(Stream& stream, const Raster::Arrival& arrival, Stamp at, bool same) {
   const bool held = stream.owed > 0;
   if (held) {
-    if (stream.pause && stream.owed == 1) {
-      events_.swap(at);
-    }
+    if (stream.pause && stream.owed == 1 && !arrival.host_held) events_.swap(at);
     --stream.owed;
     late_.on = false;
   } else if (same) {

@@ -84,7 +84,7 @@ class TimeMonitor {
   void note_first_time(const Raster& raster);
   void regular(Stream& stream, Stamp at);
   void pause(Stream& stream, const Raster::Arrival& arrival, Stamp at);
-  void crowded(Stream& stream, Stamp at, bool same);
+  void crowded(Stream& stream, const Raster::Arrival& arrival, Stamp at, bool same);
   static void interrupt(Stream& stream);
   void judge(Stream& stream, Raster::Arrival arrival, const measurement::Origin& origin, bool same,
              const Busy& bus);
