@@ -109,6 +109,28 @@ void Checks::doubt(Stamp at) {
   doubt_named();
   acquit_others(at);
   restart_sums();
+  forget_faults();
+}
+
+/// While its own samples show a fault, nothing is learned of a device. When they no longer do, what
+/// was learned since is forgotten.
+void Checks::forget_faults() {
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    const auto device = static_cast<std::uint16_t>(i);
+    if (doubts_.is_own(device)) {
+      speeds_.note_fault(device);
+      headings_.note_fault(device);
+      heights_.note_fault(device);
+      levels_.note_fault(device);
+    }
+    const auto over = doubts_.own_is_over(device);
+    if (!over) continue;
+    const Stamp since = *over - together;
+    speeds_.forget(device, since);
+    headings_.forget(device, since);
+    heights_.forget(device, since);
+    levels_.forget(device);
+  }
 }
 
 /// Those of devices that are sound again.
@@ -157,6 +179,8 @@ void Checks::step(Stamp at) {
   Moment moment = moment_at(at);
   const auto distrusted = [&](const Devices& devices) { return !trusted(devices); };
   headings_.step(moment, distrusted);
+  if (const auto heading = headings_.group().value())
+    for (InertialUnit& unit : tracks_.units) unit.follow_heading(*heading);
   constants_.step(moment, distrusted);
   speeds_.step(moment, distrusted);
   heights_.step(moment, distrusted);
@@ -173,13 +197,17 @@ void Checks::step(Stamp at) {
 
 Moment Checks::moment_at(Stamp at) {
   Moment moment{.at = at, .dt = last_ == Stamp{} ? 0 : measurement::seconds(at - last_)};
-  for (const InertialUnit& unit : tracks_.units) {
-    if (!unit.running() || !trusted({unit.device()}) || moment.down) continue;
-    if (!moment.rate || !unit.level_lost()) moment.rate = unit.rate();
-    if (unit.level_lost()) continue;
-    moment.down = unit.down();
-    moment.level_from.push_back(unit.device());
-  }
+  double level_sigma = 0;
+  for (const bool settled : {true, false})
+    for (const InertialUnit& unit : tracks_.units) {
+      if (!unit.running() || !trusted({unit.device()}) || moment.down) continue;
+      if (settled && !unit.settled()) continue;
+      if (!moment.rate || !unit.level_lost()) moment.rate = unit.rate();
+      if (unit.level_lost()) continue;
+      moment.down = unit.down();
+      level_sigma = unit.level_sigma();
+      moment.level_from.push_back(unit.device());
+    }
   moment.rate_lost = !tracks_.units.empty() && !moment.rate;
   moment.heading = headings_.group().value().value_or(0);
   moment.heading_known = headings_.group().value().has_value();
@@ -191,7 +219,7 @@ Moment Checks::moment_at(Stamp at) {
     moment.over_ground = levelled(velocity, moment);
     moment.along_deck = velocity.head<2>();
   }
-  moment.level_sigma_rad = velocity(moment) ? 0 : unknown_level_rad;
+  moment.level_sigma_rad = std::max(level_sigma, velocity(moment) ? 0 : unknown_level_rad);
   return moment;
 }
 

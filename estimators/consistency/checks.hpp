@@ -35,6 +35,7 @@ class Checks {
   void doubt_named();
   bool acquit_others(Stamp at);
   void restart_sums();
+  void forget_faults();
   void name(Stamp at);
   Moment moment_at(Stamp at);
   std::optional<Eigen::Vector3d> acceleration(const Moment& moment);

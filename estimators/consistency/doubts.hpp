@@ -25,7 +25,7 @@ class Doubts {
   /// The device's own samples show that it is wrong, whatever others say.
   void note_own(std::uint16_t device, Stamp since, Stamp now) {
     One& one = of_.at(device);
-    if (now > one.own_until) one.own_since = since;
+    one.own_since = now > one.own_until ? since : std::min(one.own_since, since);
     one.own_until = now + own_memory;
   }
 
@@ -33,8 +33,9 @@ class Doubts {
   void begin(Stamp at) {
     for (One& one : of_) {
       one.before = one.since.has_value();
-      one.guilty = one.own_since <= at && at < one.own_until;
-      one.since = one.guilty ? std::optional(one.own_since) : std::nullopt;
+      one.own_before = one.own;
+      one.own = one.guilty = one.own_since <= at && at < one.own_until;
+      one.since = one.own ? std::optional(one.own_since) : std::nullopt;
     }
   }
   /// Other evidence tells it: it explains the tests that accuse it together with others.
@@ -44,6 +45,13 @@ class Doubts {
     known = std::min(known.value_or(since), since);
   }
 
+  /// Its own samples show that it is wrong.
+  bool is_own(std::uint16_t device) const { return of_[device].own; }
+  /// Its own samples showed until now that it was wrong: since when.
+  std::optional<Stamp> own_is_over(std::uint16_t device) const {
+    const One& one = of_[device];
+    return one.own_before && !one.own ? std::optional(one.own_since) : std::nullopt;
+  }
   /// It was doubtful until now.
   bool is_over(std::uint16_t device) const { return of_[device].before && !has(device); }
 
@@ -70,9 +78,10 @@ class Doubts {
  private:
   struct One {
     std::optional<Stamp> since;
-    bool tells_motion = false;  ///< DVLs and inertial units do
-    bool before = false;        ///< it was doubtful at the last time
-    bool guilty = false;        ///< its own samples show it now, or it was off from the start
+    bool tells_motion = false;             ///< DVLs and inertial units do
+    bool before = false;                   ///< it was doubtful at the last time
+    bool own = false, own_before = false;  ///< its own samples show it: now, at the last time
+    bool guilty = false;                   ///< they do, or it was off from the start
     Stamp own_since{}, own_until{};
   };
   /// A fault that strikes one sample in ten shows again meanwhile.

@@ -67,12 +67,13 @@ void Group::test(Witness& witness, Stamp at, std::size_t seen) const {
          .quantity = *value_,
          .sigma = voters_ > 2 ? sigma_among_others(witness) : half_of_pair * worst_sigma_,
          .shapes = voters_ > 2,
-         .pair = seen <= 2},
+         .pair = seen <= 2,
+         .at_fault = witness.at_fault},
         at);
     witness.measure();
   }
   witness.present = witness.seen;
-  witness.seen = false;
+  witness.seen = witness.at_fault = false;
 }
 
 void Group::anchor(double dt) {

@@ -20,6 +20,7 @@ struct Witness {
   bool kin = false;  ///< it shares an error with its kin: together they have one vote
   // of this time
   bool seen = false, fresh = false, present = false, votes = false;
+  bool at_fault = false;  ///< its device's own samples show it: they teach nothing
   double value = 0, sigma = 0;
   double alone_s = 0;           ///< how long no other has been seen
   double spread = 0, wide = 0;  ///< the test's spread, and with sigma
@@ -71,6 +72,18 @@ class Group {
     for (Witness& witness : witnesses_)
       if (contains(witness.devices, device) && witness.test.facts().sum_above <= 0)
         witness.test.restart();
+  }
+
+  /// At the coming time the device's own samples show that it is at fault.
+  void note_fault(std::uint16_t device) {
+    for (Witness& witness : witnesses_)
+      if (contains(witness.devices, device)) witness.at_fault = true;
+  }
+
+  /// Test::forget for all witnesses of the device.
+  void forget(std::uint16_t device, Stamp since) {
+    for (Witness& witness : witnesses_)
+      if (contains(witness.devices, device)) witness.test.forget(since);
   }
 
   /// Tests all that was seen. `distrusted(devices)`: they do not count for the median.

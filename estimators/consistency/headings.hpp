@@ -26,6 +26,8 @@ class Headings {
   void acquit(Stamp since, const Doubts& doubts) { group_.acquit(since, doubts); }
 
   void restart_sums(std::uint16_t device) { group_.restart_sums(device); }
+  void note_fault(std::uint16_t device) { group_.note_fault(device); }
+  void forget(std::uint16_t device, Stamp since) { group_.forget(device, since); }
 
   const Group& group() const { return group_; }
 

@@ -10,20 +10,38 @@ namespace {
 
 constexpr std::chrono::milliseconds push_period{24};
 constexpr double quick_pull_s = 3, quick_mean_s = 2;
+constexpr double quick_sigma = 1 * units::degree, usual_after_s = 30;
 constexpr double quick_s = 2, slow_s = 60;  // time constants of the pull at first and later
 constexpr double earth_memory_s = 600;      // of the Earth's turn; slower than the pull
 constexpr double longest_bridge_s = 1;      // over a hole the rates are taken as linear
-constexpr double whole_share = 0.999;       // of a step: it has all its samples
-constexpr double steepest = 0.9;            // of the body's x against the level
+constexpr double most_unknown_turn = 0.5 * units::degree;  // of the level by holes
+constexpr double most_difference_mps2 = 0.5;  // that teaches the Earth's turn; more is no noise
+constexpr double whole_share = 0.999;         // of a step: it has all its samples
+constexpr double steepest = 0.9;              // of the body's x against the level
 
 std::chrono::nanoseconds gap_of_unit(const Sensor& sensor) {
   return measurement::from_seconds(std::max(0.1, 3.1 / std::max(sensor.rate_hz, 0.1)));
 }
 
+/// A sample is missing.
+std::chrono::nanoseconds hole_of_unit(const Sensor& sensor) {
+  return measurement::from_seconds(std::max(0.1, 1.6 / std::max(sensor.rate_hz, 0.1)));
+}
+
+/// What a body may have turned in a hole otherwise than at the mean of the rates on both sides, or
+/// than not at all, if the sum leaves it out.
+double unknown_turn(const Eigen::Vector3d& before, const Eigen::Vector3d& after, double hole_s) {
+  if (hole_s > longest_bridge_s) return std::max(before.norm(), after.norm()) * hole_s;
+  return (after - before).norm() * hole_s / 2;
+}
+
 }  // namespace
 
 InertialUnit::InertialUnit(std::uint16_t device, const Sensor& sensor)
-    : device_(device), longest_gap_(gap_of_unit(sensor)), sums_(longest_gap_ + push_period) {}
+    : device_(device),
+      longest_gap_(gap_of_unit(sensor)),
+      hole_(hole_of_unit(sensor)),
+      sums_(longest_gap_ + push_period) {}
 
 void InertialUnit::take(const measurement::ImuSample& sample) {
   const Stamp at = sample.origin.valid_at;
@@ -36,6 +54,8 @@ void InertialUnit::take(const measurement::ImuSample& sample) {
     sum_.segment<3>(3) += dt / 2 * (sample.specific_force + last_force_);
     if (at - last_sample_ <= longest_gap_) sum_[6] += dt;
   }
+  if (at > last_sample_ + hole_ && dt < 2 * longest_bridge_s)
+    sum_[7] += std::pow(unknown_turn(last_rate_, sample.angular_rate, dt), 2);
   last_rate_ = sample.angular_rate;
   last_force_ = sample.specific_force;
   last_sample_ = at;
@@ -62,6 +82,7 @@ bool InertialUnit::advance(Stamp at) {
   begin(at, sums->value);
   serial_ = sums->serial;
   turn(dt_);
+  note_unknown_turn(gone[7]);
   holed_ = !ran;
   return running_ = gone[6] > whole_share * dt_;
 }
@@ -71,19 +92,42 @@ void InertialUnit::begin(Stamp at, const Sums& sums) {
   at_last_ = sums;
 }
 
-/// The axes in which the Earth's turn was learned are lost as well.
+/// The pull undoes it as it undoes other errors of the level.
+void InertialUnit::note_unknown_turn(double variance) {
+  level_variance_ += variance - level_variance_ * std::min(1.0, 2 * dt_ / slow_s);
+  if (level_variance_ > most_unknown_turn * most_unknown_turn) lose_level();
+}
+
+bool InertialUnit::settled() const { return levelled_s_ >= slow_s; }
+
+double InertialUnit::level_sigma() const {
+  const bool behind_fault = level_anew_ && levelled_s_ < usual_after_s;
+  return behind_fault ? quick_sigma * quick_pull_s / std::max(levelled_s_, dt_) : 0;
+}
+
+void InertialUnit::take_quick_level() {
+  down_ = quick_;
+  levelled_s_ = std::min(levelled_s_, quick_pull_s);
+  level_anew_ = true;
+}
+
+void InertialUnit::follow_heading(double heading) {
+  axes_heading_ = heading;
+  cos_heading_ = std::cos(heading), sin_heading_ = std::sin(heading);
+}
+
 void InertialUnit::lose_level() {
-  level_lost_ = true;
-  levelled_s_ = 0;
-  earth_turn_.setZero();
+  level_lost_ = level_anew_ = true;
+  levelled_s_ = level_variance_ = 0;
   quick_difference_.setZero();
 }
 
 /// down' = -w x down; the heading's rate is the rate about the vertical. `middle_` is the mean over
 /// the step, as rate and specific force are.
 void InertialUnit::turn(double dt) {
-  heading_ += rate_.dot(down_) * dt / std::max(0.1, down_.squaredNorm());
-  cos_heading_ = std::cos(heading_), sin_heading_ = std::sin(heading_);
+  const double by = rate_.dot(down_) * dt / std::max(0.1, down_.squaredNorm());
+  heading_ += by;
+  follow_heading(axes_heading_ + by);
   const Eigen::Vector3d before = down_;
   const auto axes = level_axes();
   const Eigen::Vector3d rate = axes ? Eigen::Vector3d(rate_ - *axes * earth_turn_) : rate_;
@@ -111,7 +155,9 @@ std::optional<Eigen::Matrix<double, 3, 2>> InertialUnit::level_axes() const {
 void InertialUnit::learn_earth_turn(const Eigen::Vector3d& difference) {
   const auto axes = level_axes();
   if (!axes || levelled_s_ < slow_s) return;
-  const Eigen::Vector3d lacking = difference.cross(down_) / units::standard_gravity / slow_s;
+  const double share = std::min(1.0, most_difference_mps2 / std::max(1e-9, difference.norm()));
+  const Eigen::Vector3d lacking =
+      share * difference.cross(down_) / units::standard_gravity / slow_s;
   earth_turn_ += axes->transpose() * lacking * (dt_ / earth_memory_s);
   const double most = frame::wgs84::earth_rate_radps;
   if (earth_turn_.norm() > most) earth_turn_ *= most / earth_turn_.norm();

@@ -1,5 +1,7 @@
 #include "estimators/consistency/levels.hpp"
 
+#include <utility>
+
 namespace drydock::consistency {
 namespace {
 
@@ -55,6 +57,23 @@ Levels::Levels(Tracks& tracks) : tracks_(tracks) {
                              Test(facts_along("specific force down"))}});
 }
 
+/// What a sound unit differs always is small; more was learned in a fault.
+bool Levels::Unit::learned_fault() const {
+  return std::ranges::any_of(
+      tests, [](const Test& test) { return std::abs(test.offset()) > test.facts().floor; });
+}
+
+void Levels::note_fault(std::uint16_t device) {
+  for (Unit& unit : units_) unit.at_fault = unit.at_fault || unit.device == device;
+}
+
+void Levels::forget(std::uint16_t device) {
+  for (InertialUnit& unit : tracks_.units)
+    if (unit.device() == device) unit.take_quick_level();
+  for (Unit& unit : units_)
+    if (unit.device == device) unit.restart();
+}
+
 /// The acceleration is as old as the slowest velocity; it is worth less while it changes.
 void Levels::step(const Moment& moment, const std::optional<Eigen::Vector3d>& acceleration) {
   const Eigen::Vector3d known = acceleration.value_or(Eigen::Vector3d::Zero());
@@ -66,7 +85,8 @@ void Levels::step(const Moment& moment, const std::optional<Eigen::Vector3d>& ac
     InertialUnit& unit = tracks_.units[i];
     if (!unit.running()) continue;
     const double sigma = acceleration ? of_known : unknown_acceleration(unit);
-    const bool pulls = acceleration || sigma < most_unknown_mps2;
+    const bool at_fault = std::exchange(units_[i].at_fault, false);
+    const bool pulls = (acceleration || sigma < most_unknown_mps2) && !at_fault;
     step(units_[i], unit, moment, known, sigma, pulls);
   }
 }
@@ -86,7 +106,7 @@ double Levels::unsettled(Unit& unit, const InertialUnit& inertial,
 void Levels::step(Unit& unit, InertialUnit& inertial, const Moment& moment,
                   const Eigen::Vector3d& acceleration, double sigma, bool pulls) {
   if (inertial.level_lost()) {
-    for (Test& test : unit.tests) test.restart();
+    unit.restart();
     unit.in_body.setZero(), unit.in_level.setZero();
   }
   const bool accused = any_fired(unit);
@@ -97,10 +117,13 @@ void Levels::step(Unit& unit, InertialUnit& inertial, const Moment& moment,
     unit.tests.at(static_cast<std::size_t>(axis))
         .take({.value = difference[axis], .sigma = std::hypot(sigma, turned)}, moment.at);
   const bool settled = inertial.quick_difference() < over_below_mps2;
-  const bool over = turned_away(unit) && settled;
+  const bool fits = accused && difference.norm() < over_below_mps2;
+  const bool over = settled && (fits || turned_away(unit));
   unit.over_s = over ? unit.over_s + moment.dt : 0;
   const bool acquitted = accused && !any_fired(unit) && settled;
-  if (acquitted || unit.over_s > over_after_s) inertial.take_quick_level();
+  const bool anew = unit.over_s > over_after_s;
+  if (acquitted || anew) inertial.take_quick_level();
+  if (anew && unit.learned_fault()) unit.restart();
 }
 
 }  // namespace drydock::consistency

@@ -21,10 +21,16 @@ class Levels {
     std::uint16_t device;
     const Freeze* freeze;
     std::array<Test, 3> tests;
-    double over_s = 0;  ///< since a fault that turned the level is over
+    bool at_fault = false;  ///< its own samples show it: they do not pull its level
+    double over_s = 0;      ///< since a fault that turned the level is over
     /// The usual difference, m/s2: in the body, and in level axes that keep their heading.
     Eigen::Vector3d in_body = Eigen::Vector3d::Zero();
     Eigen::Vector2d in_level = Eigen::Vector2d::Zero();
+    bool learned_fault() const;
+    /// The tests learn again: of another level.
+    void restart() {
+      for (Test& test : tests) test.restart();
+    }
   };
   std::span<const Unit> units() const { return units_; }
 
@@ -34,6 +40,11 @@ class Levels {
       if (!doubts.tells_motion({unit.device}))
         for (Test& test : unit.tests) test.acquit(since);
   }
+
+  /// At the coming time the unit's own samples show that it is at fault.
+  void note_fault(std::uint16_t device);
+  /// They no longer do: its level begins anew.
+  void forget(std::uint16_t device);
 
  private:
   static double unsettled(Unit& unit, const InertialUnit& inertial,

@@ -30,6 +30,15 @@ class Speeds {
     ahead_.acquit(since, doubts);
   }
 
+  void note_fault(std::uint16_t device) {
+    group_.note_fault(device);
+    ahead_.note_fault(device);
+  }
+  void forget(std::uint16_t device, Stamp since) {
+    group_.forget(device, since);
+    ahead_.forget(device, since);
+  }
+
   const Group& group() const { return group_; }
   /// Speed ahead: of each DVL, and of the first log with the current.
   const Group& ahead() const { return ahead_; }

@@ -9,10 +9,14 @@ constexpr double follow_s = 10;   // time constant of the offset, within the bou
 constexpr int first_memory = 15;  // samples: a sum may drift while its offset is learned
 constexpr double trend_s = 60;    // and of its trend
 constexpr std::chrono::seconds outage{3};
+constexpr std::chrono::seconds kept_for{20};
 constexpr double steady_for_s = 5;   // at least
 constexpr double small_rest = 0.25;  // of the largest deviation
 /// Sigmas by which a fault that goes on had moved its sum meanwhile: others err by some of them.
 constexpr double still_going = 10;
+/// A sum that stays within two sigmas meanwhile wanders by less than half of what sound ones may.
+/// A sigma that was learned in a fault may be large: then it need not stay for ever.
+constexpr double still_wandering = 4, shortest_rest_s = 30, longest_rest_s = 60;
 // Fired samples; then the shape is told. Of two witnesses the named one soon counts no more, which
 // changes the residual.
 constexpr int told_after = 15, told_after_of_pair = 6;
@@ -21,6 +25,9 @@ constexpr double noise_samples = 10;    // memory of the noise from sample to sa
 constexpr double wildest = 10;          // sigmas; more does not count as noise
 
 constexpr double late_share = 0.4;  // what a latency leaves of what a step or a ramp leaves
+
+/// What scatters so much in its first samples may have been at fault in some: it learns once more.
+constexpr double wide_floors = 5;
 
 double square(double x) { return x * x; }
 
@@ -36,8 +43,8 @@ void Test::take(const Residual& residual, Stamp at) {
   if (at - last_ > outage && !fired_) cusum_.clear();
   const double dt = std::clamp(measurement::seconds(at - last_), 0.0, 1.0);
   last_ = at;
-  if (!learned()) return learn(residual);
-  deviation_ = residual.value - offset_;
+  if (!learned()) return residual.at_fault ? void() : learn(residual);
+  deviation_ = residual.value - learned_.offset;
   const double usual = spread();
   const double most = square(wildest * usual);
   noise_square_ +=
@@ -45,9 +52,35 @@ void Test::take(const Residual& residual, Stamp at) {
   sigma_ = sigma_of(residual, usual);
   test(residual, at);
   if (fired_) return end_fault(at);
-  mean_square_ += own_share(residual, usual) *
-                  (std::min(square(deviation_), most / 4) - mean_square_) / spread_samples;
+  if (residual.at_fault) return;
+  learned_.mean_square += own_share(residual, usual) *
+                          (std::min(square(deviation_), most / 4) - learned_.mean_square) /
+                          spread_samples;
   follow(dt);
+  keep(at);
+}
+
+void Test::restart() {
+  samples_ = 0;
+  kept_ = {};
+}
+
+/// Of two states the older one was there before any fault that is found within `kept_for`.
+void Test::keep(Stamp at) {
+  if (at - kept_[0].at < kept_for) return;
+  kept_ = {learned_, kept_[0]};
+  kept_[0].at = at;
+}
+
+void Test::forget(Stamp since) {
+  const auto before = std::ranges::find_if(
+      kept_, [&](const Learned& one) { return one.at != Stamp{} && one.at <= since; });
+  cusum_.clear();
+  fired_ = false;
+  const bool beside_sum = facts_.others_wander > 0;
+  if (facts_.sum_above <= 0 || beside_sum || before == kept_.end()) return restart();
+  learned_ = *before;
+  noise_square_ = 0;
 }
 
 void Test::acquit(Stamp since) {
@@ -59,24 +92,27 @@ void Test::acquit(Stamp since) {
 
 void Test::learn(const Residual& residual) {
   if (samples_ == 0) {
-    offset_ = residual.value;
-    mean_square_ = noise_square_ = 0;
+    learned_.offset = residual.value;
+    learned_.mean_square = noise_square_ = 0;
     cusum_.clear();
     fired_ = false;
-    trend_ = 0;
+    learned_.trend = 0;
   }
   ++samples_;
-  deviation_ = residual.value - offset_;
-  mean_square_ +=
-      own_share(residual, facts_.floor) * (square(deviation_) - mean_square_) / samples_;
-  offset_ += deviation_ / std::min(samples_, first_memory);
+  deviation_ = residual.value - learned_.offset;
+  learned_.mean_square +=
+      own_share(residual, facts_.floor) * (square(deviation_) - learned_.mean_square) / samples_;
+  learned_.offset += deviation_ / std::min(samples_, first_memory);
+  if (learned()) learns_again_ = !learns_again_ && spread() > wide_floors * facts_.floor;
+  if (learns_again_ && learned()) samples_ = 0;
 }
 
 /// The offset of a healthy sensor moves slowly: temperature, current, mounting, tide.
 void Test::follow(double dt) {
   const double most = facts_.wander * dt;
-  trend_ = std::clamp(trend_ + deviation_ * dt / (follow_s * trend_s), -facts_.trend, facts_.trend);
-  offset_ += std::clamp(deviation_ * dt / follow_s, -most, most) + trend_ * dt;
+  learned_.trend = std::clamp(learned_.trend + deviation_ * dt / (follow_s * trend_s),
+                              -facts_.trend, facts_.trend);
+  learned_.offset += std::clamp(deviation_ * dt / follow_s, -most, most) + learned_.trend * dt;
 }
 
 /// A fault that is over leaves a residual that stays where it is: it begins anew.
@@ -95,13 +131,18 @@ void Test::end_fault(Stamp at) {
 bool Test::is_over(double steady_s) const {
   const double rise_s = std::max(1.0, measurement::seconds(steady_since_ - since_));
   const double left = std::abs(steady_);
-  if (facts_.sum_above <= 0) return left / rise_s * steady_s > still_going * sigma_;
+  if (facts_.sum_above <= 0)
+    return left / rise_s * steady_s > still_going * sigma_ ||
+           steady_s > std::clamp(still_wandering * sigma_ / facts_.wander, shortest_rest_s,
+                                 longest_rest_s);
   if (facts_.others_wander <= 0) return false;
   const double moved = (facts_.wander + facts_.others_wander) * (rise_s + steady_s);
   return left < small_rest * std::abs(peak_) && left < moved + spread();
 }
 
-double Test::spread() const { return std::sqrt(std::max(square(facts_.floor), mean_square_)); }
+double Test::spread() const {
+  return std::sqrt(std::max(square(facts_.floor), learned_.mean_square));
+}
 
 double Test::sigma_of(const Residual& residual, double spread) const {
   return std::sqrt(std::max(square(spread), noise_square_) + square(facts_.late_s * residual.rate) +

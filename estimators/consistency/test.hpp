@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -35,11 +36,12 @@ struct TestFacts {
 /// What a test takes at one time.
 struct Residual {
   double value = 0;
-  double rate = 0;      ///< derivative of the measured quantity
-  double quantity = 0;  ///< its value
-  double sigma = 0;     ///< of further errors at this time
-  bool shapes = false;  ///< rate and quantity do not come from the device itself
-  bool pair = false;    ///< of two witnesses that accuse each other
+  double rate = 0;        ///< derivative of the measured quantity
+  double quantity = 0;    ///< its value
+  double sigma = 0;       ///< of further errors at this time
+  bool shapes = false;    ///< rate and quantity do not come from the device itself
+  bool pair = false;      ///< of two witnesses that accuse each other
+  bool at_fault = false;  ///< its device is wrong now: nothing is learned from it
 };
 
 /// One residual: a difference that is constant but for noise while all is well. It learns offset
@@ -50,18 +52,24 @@ class Test {
 
   void take(const Residual& residual, Stamp at);
   /// The offset begins anew, as after an outage of a sum.
-  void restart() { samples_ = 0; }
+  void restart();
   /// What it was compared with has been wrong since then: an alarm that rose meanwhile is none of
   /// its own. A sum begins anew.
   void acquit(Stamp since);
+  /// Its device was at fault since then and is sound again: an alarm was of that fault, and what
+  /// was learned since is forgotten. A sum and what is compared with one begin anew, and so does
+  /// what had learned nothing before.
+  void forget(Stamp since);
   /// The residuals to come are larger by so much, for no fault of the device.
-  void shift(double by) { offset_ += by; }
+  void shift(double by) {
+    for (Learned* one : {&learned_, &kept_[0], &kept_[1]}) one->offset += by;
+  }
 
   bool learned() const { return samples_ >= learning_samples; }
   bool fired() const { return fired_; }
   /// 0: quiet, 1: fired.
   double suspicion() const { return std::min(1.0, cusum_.value() / design.limit); }
-  double offset() const { return offset_; }
+  double offset() const { return learned_.offset; }
   double sigma() const { return sigma_; }
   /// 1 sigma of the residual in usual times, as far as it was learned.
   double spread() const;
@@ -90,6 +98,7 @@ class Test {
  private:
   void learn(const Residual& residual);
   void follow(double dt);
+  void keep(Stamp at);
   void end_fault(Stamp at);
   bool is_over(double steady_s) const;
   bool is_blind(const Residual& residual) const;
@@ -99,14 +108,22 @@ class Test {
   void test(const Residual& residual, Stamp at);
   double sigma_of(const Residual& residual, double spread) const;
 
+  /// What it knows of the residual in usual times.
+  struct Learned {
+    double offset = 0, trend = 0, mean_square = 0;
+    Stamp at{};  ///< when it was kept; none: never
+  };
+
   TestFacts facts_;
   int samples_ = 0, fired_samples_ = 0;
-  double offset_ = 0, trend_ = 0, steady_ = 0, mean_square_ = 0, noise_square_ = 0;
+  Learned learned_;
+  std::array<Learned, 2> kept_{};  ///< as it was some time ago, and some time before
+  double steady_ = 0, noise_square_ = 0;
   double deviation_ = 0, sigma_ = 0;
   double peak_ = 0, peak_sigma_ = 1;
   double usual_rate_ = 0, usual_quantity_ = 0;
   Stamp last_{}, since_{}, steady_since_{};
-  bool fired_ = false;
+  bool fired_ = false, learns_again_ = false;
   Cusum cusum_;
   ShapeTest shape_;
   MaybeLate late_;

@@ -62,7 +62,7 @@ class Track {
   };
   /// Samples of a fast device that lie closer are not kept, so that the ring reaches back far
   /// enough.
-  static constexpr std::chrono::milliseconds shortest_gap{N == 7 ? 0 : 60};
+  static constexpr std::chrono::milliseconds shortest_gap{N == 8 ? 0 : 60};
   const Sample& last() const { return ring_[count_ % Samples]; }
 
   std::chrono::nanoseconds longest_gap_;

@@ -133,6 +133,45 @@ TEST(InertialUnit, FindsTheLevelAnewAfterItWasAway) {
   EXPECT_GT(steps_behind, 150);
 }
 
+/// Two samples a second, of which one is lost while the body begins to roll by 4 degrees a second:
+/// it may have rolled by 2 degrees more or less than it seems. A roll that goes on tells no less.
+TEST(InertialUnit, LosesItsLevelWithASampleOfARollThatBegins) {
+  for (const bool rolled_before : {false, true}) {
+    InertialUnit unit{0, {.rate_hz = 2}};
+    const auto at = [](double time_s) {
+      return Stamp{} + measurement::from_seconds(1000 + time_s);
+    };
+    int lost = 0;
+    for (int step = 0; step < 60; ++step) {
+      const double time_s = 0.5 * step;
+      if (step != 40) {
+        measurement::ImuSample sample;
+        sample.origin.valid_at = at(time_s);
+        const bool rolls = rolled_before || step > 40;
+        sample.angular_rate.x() = rolls ? 4 * units::degree : 0;
+        sample.specific_force = -units::standard_gravity * Vector3d::UnitZ();
+        unit.take(sample);
+      }
+      for (const double back_s : {1.4, 1.2}) {
+        unit.advance(at(time_s - back_s));
+        lost += step > 10 && unit.level_lost() ? 1 : 0;
+        unit.level(Vector3d::Zero(), true);
+      }
+    }
+    EXPECT_EQ(lost > 0, !rolled_before);
+  }
+}
+
+/// A unit that was stuck in a turn does not know its heading; the others do.
+TEST(InertialUnit, KeepsItsLevelAxesByTheHeadingOfTheOthers) {
+  InertialUnit unit{0, {.rate_hz = 5}};
+  unit.follow_heading(0.5);
+  const auto axes = unit.level_axes();
+  ASSERT_TRUE(axes);
+  EXPECT_LT((axes->col(0) - Vector3d(std::cos(0.5), -std::sin(0.5), 0)).norm(), 1e-12) << "north";
+  EXPECT_LT((axes->col(1) - Vector3d(std::sin(0.5), std::cos(0.5), 0)).norm(), 1e-12) << "east";
+}
+
 TEST(InertialUnit, ASingleLostSampleLeavesEveryStep) {
   const Turning whole(0), turning(0.02);
   EXPECT_EQ(turning.given, whole.given);
