@@ -37,14 +37,6 @@ std::vector<std::string> troubles_of(const summary::Summary& summary, const Soak
   return all;
 }
 
-/// A flight ends at its impact: what its sensors say behind it, no sensor could. Empty: no end.
-std::optional<double> last_second(const rig_config::Rig& rig) {
-  if (!rig.mission.ballistic) return {};
-  const auto flight =
-      motion::make_trajectory(rig.mission, measurement::stamp_from_ns(rig.start_utc_ns));
-  return measurement::seconds(flight->end() - flight->start());
-}
-
 std::string words_line(const SoakWatch& watch) {
   std::string line;
   for (const auto& [word, count] : watch.set_by_word())
@@ -120,7 +112,7 @@ int soak(rig_config::Rig rig, const SoakOptions& options, std::FILE* out) {
                   options.faults ? std::optional(options.fault_interval_s) : std::nullopt);
   bench::RunOptions run;
   run.duration_s = options.duration_s;
-  if (const auto last = last_second(rig); last && *last < run.duration_s) {
+  if (const auto last = motion::flight_s(rig); last && *last < run.duration_s) {
     run.duration_s = *last;
     fmt::print(out, "the flight of its mission ends after {:.1f} s, and the soak with it\n", *last);
   }

@@ -23,4 +23,10 @@ std::unique_ptr<Trajectory> make_trajectory(const rig_config::MissionConfig& mis
   return std::make_unique<KinematicTrajectory>(mission, start);
 }
 
+std::optional<double> flight_s(const rig_config::Rig& rig) {
+  if (!rig.mission.ballistic) return {};
+  const auto flight = make_trajectory(rig.mission, measurement::stamp_from_ns(rig.start_utc_ns));
+  return measurement::seconds(flight->end() - flight->start());
+}
+
 }  // namespace drydock::motion

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -10,6 +11,7 @@
 #include <thread>
 
 #include "drivers/terminal/exit_codes.hpp"
+#include "hil/motion/make_trajectory.hpp"
 #include "hil/report/write_file.hpp"
 #include "hil/scorecard/copies.hpp"
 #include "hil/scorecard/score_bytes.hpp"
@@ -90,6 +92,21 @@ Scorecard play(const rig_config::Rig& asked, const std::vector<Pair>& pairs, con
   return card;
 }
 
+/// A flight that ends before the run does: its window with the same shares.
+Window within_flight(const rig_config::Rig& rig, const Window& asked, std::FILE* errors) {
+  const auto flight_s = motion::flight_s(rig);
+  if (!flight_s || *flight_s >= asked.run_s()) return asked;
+  const double share = *flight_s / asked.run_s();
+  const auto whole = [&](double s) { return std::floor(s * share); };
+  const Window window{whole(asked.warm_up_s), whole(asked.fault_s), whole(asked.after_s)};
+  fmt::print(
+      errors,
+      "scorecard: the flight ends after {:.1f} s, so each run has {:g} s sound, {:g} s of one "
+      "fault, {:g} s behind it\n",
+      *flight_s, window.warm_up_s, window.fault_s, window.after_s);
+  return window;
+}
+
 /// True if the card matches the file. Else it prints a line for each difference.
 bool check(const Scorecard& card, const std::string& file, std::FILE* out) {
   const auto differences = differences_from(read(file), card);
@@ -104,8 +121,10 @@ bool check(const Scorecard& card, const std::string& file, std::FILE* out) {
 
 }  // namespace
 
-int run_scorecard(const rig_config::Rig& rig, const Options& options, std::FILE* out,
+int run_scorecard(const rig_config::Rig& rig, const Options& asked, std::FILE* out,
                   std::FILE* errors) try {
+  Options options = asked;
+  options.window = within_flight(rig, asked.window, errors);
   std::vector<Pair> pairs;
   try {
     pairs = pairs_for(rig, options);

@@ -23,12 +23,12 @@ rig_config::Rig demo() {
   return rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/demo.toml").value();
 }
 
-std::string json_of(Options options) {
+std::string json_of(Options options, const rig_config::Rig& rig = demo()) {
   const auto file = std::filesystem::temp_directory_path() /
                     ("drydock-scorecard-" + std::to_string(::getpid()) + ".json");
   options.json = file.string();
   std::FILE* nowhere = std::fopen("/dev/null", "w");
-  EXPECT_EQ(run_scorecard(demo(), options, nowhere, nowhere), 0);
+  EXPECT_EQ(run_scorecard(rig, options, nowhere, nowhere), 0);
   std::fclose(nowhere);
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
@@ -46,6 +46,17 @@ TEST(Scorecard, IsTheSameToTheLastByteWhateverTheNumberOfProcesses) {
   options.jobs = 3;
   EXPECT_EQ(alone, json_of(options));
   EXPECT_EQ(std::ranges::count(alone, '\n'), 2 + 6 + 1);
+}
+
+TEST(Scorecard, OfAFlightFitsBetweenItsStartAndItsImpact) {
+  Options options;
+  options.faults = {"off"};
+  options.devices = {"gnss"};
+  const auto rocket =
+      rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/sounding-rocket.toml").value();
+  // The flight lasts 86.8 s, the usual run 150 s.
+  const auto card = json_of(options, rocket);
+  EXPECT_NE(card.find("\"warm_up_s\":43.0,\"fault_s\":17.0,\"after_s\":26.0"), card.npos) << card;
 }
 
 TEST(Scorecard, PairsThatADeviceCannotHaveAreNotTried) {
