@@ -30,12 +30,32 @@ TEST(DeviceClock, OneDamagedTickMovesNothingBehindIt) {
   for (int i = 11; i < 100; ++i) EXPECT_EQ(ticks.error_at(i * 500ms), 2ms) << i;
 }
 
-TEST(DeviceClock, TakesAnEarlierTimeThatTheNextMessageConfirms) {
+TEST(DeviceClock, BeginsAnewOnlyBehindAJumpThatGoesOn) {
+  Ticks ticks;
+  for (int i = 1; i < 10; ++i) EXPECT_EQ(ticks.error_at(i * 500ms), 2ms);
+  EXPECT_EQ(ticks.error_at(5000ms, 1700s), 2ms);
+  EXPECT_EQ(ticks.error_at(5500ms, 205ms), 2ms) << "the next one is damaged too";
+  for (int i = 12; i < 20; ++i) EXPECT_EQ(ticks.error_at(i * 500ms), 2ms) << i;
+  for (int i = 20; i < 25; ++i)
+    EXPECT_EQ(ticks.error_at(i * 500ms, 1700s), 2ms) << "it was switched off and on";
+  EXPECT_EQ(ticks.error_at(12500ms, 1700s, 80ms), 2058us) << "by its own time";
+}
+
+TEST(DeviceClock, TwoTicksThatAreOffByTheSameBitMoveNothingBehindThem) {
+  Ticks ticks;
+  for (int i = 1; i < 10; ++i) EXPECT_EQ(ticks.error_at(i * 500ms), 2ms);
+  EXPECT_EQ(ticks.error_at(5000ms, 205ms), 2ms);
+  EXPECT_EQ(ticks.error_at(5500ms, 205ms), 2ms);
+  for (int i = 12; i < 100; ++i) EXPECT_EQ(ticks.error_at(i * 500ms), 2ms) << i;
+}
+
+TEST(DeviceClock, TakesAnEarlierTimeThatTheNextMessagesConfirm) {
   Ticks ticks;
   EXPECT_EQ(ticks.error_at(500ms, 0ns, 80ms), 82ms) << "a bus that was busy at first";
   EXPECT_EQ(ticks.error_at(1000ms), 2ms);
   EXPECT_EQ(ticks.error_at(1500ms), 2ms);
-  EXPECT_EQ(ticks.error_at(2000ms, 0ns, 80ms), 2058us) << "580 ms on, by its own time";
+  EXPECT_EQ(ticks.error_at(2000ms), 2ms);
+  EXPECT_EQ(ticks.error_at(2500ms, 0ns, 80ms), 2058us) << "580 ms on, by its own time";
 }
 
 TEST(DeviceClock, TakesAnEarlierTimeAtOnceThatABusExplains) {
