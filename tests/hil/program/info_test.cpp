@@ -202,7 +202,7 @@ TEST(Info, OfSeveralFilesGoesOnBehindOneThatIsNotThere) {
 TEST(Info, OfPacketsThatEndInOneSaysHowMuchIsLeft) {
   const Folder folder;
   const auto cut = folder / "cut.pcapng";
-  std::filesystem::copy_file("fixtures/install/two-lines.pcapng", cut);
+  std::filesystem::copy_file(DRYDOCK_SOURCE_DIR "/fixtures/install/two-lines.pcapng", cut);
   std::filesystem::resize_file(cut, std::filesystem::file_size(cut) - 7);
   const auto said = drydock("info " + cut.string());
   EXPECT_EQ(said.exit_code, 1);
