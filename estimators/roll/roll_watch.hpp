@@ -14,7 +14,8 @@ struct Evidence {
 /// is too little to see a wrong roll. Allocates nothing.
 class RollWatch {
  public:
-  /// Of a standard normal value: two-sided 6e-5. A sound filter is contradicted about twice an hour.
+  /// Of a standard normal value: two-sided 6e-5. A sound filter is contradicted about twice an
+  /// hour.
   static constexpr double limit = 4;
 
   /// `dt_s`: since the epoch before.

@@ -53,8 +53,8 @@ TEST(RollWatch, OfARightFilterItSeldomSaysAnything) {
     ++contradictions;
     watch.clear();  // as its filter does
   }
-  // Of 720,000 independent normal values 45 are beyond 4, so of four windows at most 181. Their sums
-  // go along with each other and with those of the epoch before: about two an hour are left.
+  // Of 720,000 independent normal values 45 are beyond 4, so of four windows at most 181. Their
+  // sums go along with each other and with those of the epoch before: about two an hour are left.
   EXPECT_GT(contradictions, 0);
   EXPECT_LT(contradictions, 60);
 }
