@@ -41,8 +41,9 @@ class InertialUnit {
   std::optional<Eigen::Matrix<double, 3, 2>> level_axes() const;
 
   std::uint16_t device() const { return device_; }
-  const Eigen::Vector3d& rate() const { return rate_; }  ///< rad/s, mean of the last step
-  const Eigen::Vector3d& down() const { return down_; }  ///< unit vector, body
+  const Eigen::Vector3d& rate() const { return rate_; }    ///< rad/s, mean of the last step
+  const Eigen::Vector3d& force() const { return force_; }  ///< m/s2, the same of specific force
+  const Eigen::Vector3d& down() const { return down_; }    ///< unit vector, body
   /// The unit was away, and nothing turned its level meanwhile: the next level() finds it anew.
   void lose_level();
   bool level_lost() const { return level_lost_; }

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "drivers/measurement/units.hpp"
+
 namespace drydock::consistency {
 namespace {
 
@@ -11,6 +13,9 @@ constexpr double fastest_drift_mps3 = 0.05;
 /// ahead makes of it. Nothing pulls the level while that may be large.
 constexpr double unknown_acceleration_mps2 = 0.5, unknown_speed_mps = 10;
 constexpr double most_unknown_mps2 = 1;
+/// A specific force so far from gravity is an acceleration as large at least: no vehicle that
+/// floats or stands has it, and one that falls shows no direction of gravity.
+constexpr double falls_mps2 = units::standard_gravity / 2;
 constexpr double acceleration_share = 0.15, change_share = 1, acceleration_memory_s = 2;
 /// A gyro's fault has turned the level; when that no longer goes on, the level begins anew.
 constexpr double usual_memory_s = 60;  // as the level's own
@@ -28,6 +33,10 @@ TestFacts facts_along(std::string_view quantity) {
 
 double unknown_acceleration(const InertialUnit& unit) {
   return std::hypot(unknown_acceleration_mps2, unknown_speed_mps * unit.rate().tail<2>().norm());
+}
+
+bool falls(const InertialUnit& unit) {
+  return std::abs(unit.force().norm() - units::standard_gravity) > falls_mps2;
 }
 
 bool any_fired(const Levels::Unit& unit) {
@@ -83,7 +92,7 @@ void Levels::step(const Moment& moment, const std::optional<Eigen::Vector3d>& ac
   const double of_known = acceleration_share * known.norm() + change_share * change;
   for (std::size_t i = 0; i < units_.size(); ++i) {
     InertialUnit& unit = tracks_.units[i];
-    if (!unit.running()) continue;
+    if (!unit.running() || (!acceleration && falls(unit))) continue;
     const double sigma = acceleration ? of_known : unknown_acceleration(unit);
     const bool at_fault = std::exchange(units_[i].at_fault, false);
     const bool pulls = (acceleration || sigma < most_unknown_mps2) && !at_fault;

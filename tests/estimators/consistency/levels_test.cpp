@@ -24,11 +24,16 @@ class Vehicle {
       ImuSample sample;
       sample.origin.valid_at = Stamp{} + from_seconds(t_s_ + 100);
       sample.angular_rate = Eigen::Vector3d{0, 0, turn_radps} + bias;
-      sample.specific_force = {0, speed_mps * turn_radps, -units::standard_gravity};
+      sample.specific_force = {0, speed_mps * turn_radps, fall_mps2_ - units::standard_gravity};
       tracks_.units[0].take(sample);
-      if (++samples_ % 20 == 0) step(Eigen::Vector3d{0, speed_mps * turn_radps, 0});
+      if (++samples_ % 20 == 0) step(Eigen::Vector3d{0, speed_mps * turn_radps, fall_mps2_});
     }
   }
+
+  /// From now on another device tells the velocity, or none.
+  void knows_velocity(bool known) { knows_velocity_ = known; }
+  /// From now on the vehicle is accelerated downwards.
+  void fall(double mps2) { fall_mps2_ = mps2; }
 
   double most_suspicion() const { return most_suspicion_; }
 
@@ -45,7 +50,7 @@ class Vehicle {
   Tracks tracks_{{}, {}, {}, {InertialUnit(0, {.rate_hz = 100})}, {}, {}, {}};
   Levels levels_{tracks_};
   bool knows_velocity_;
-  double t_s_ = 0, most_suspicion_ = 0;
+  double t_s_ = 0, most_suspicion_ = 0, fall_mps2_ = 0;
   long samples_ = 0;
 };
 
@@ -83,6 +88,31 @@ TEST(Levels, SeeAGyroThatIsOffStraightAheadWhereNobodyKnowsTheSpeed) {
   Vehicle vehicle(false);
   vehicle.go(300, 0, none, 6);
   vehicle.go(30, 0, {1800 * degree_per_hour, 0, 0}, 6);
+  EXPECT_EQ(vehicle.most_suspicion(), 1);
+}
+
+/// A body in flight feels its drag only: |f| of 1 m/s2 is an acceleration of 8.8 m/s2 at least.
+TEST(Levels, DoNotDoubtAUnitThatFallsWhenNobodyKnowsTheSpeedAnyMore) {
+  Vehicle vehicle;
+  vehicle.fall(8.8);
+  vehicle.go(43, 0, none, 300);
+  vehicle.knows_velocity(false);
+  vehicle.go(17, 0, none, 300);
+  vehicle.knows_velocity(true);
+  vehicle.go(26, 0, none, 300);
+  EXPECT_LT(vehicle.most_suspicion(), 0.5);
+}
+
+/// What nobody can see of a lander in its brake is seen again when it hangs at its rope.
+TEST(Levels, SeeAGyroThatIsOffBehindAFall) {
+  Vehicle vehicle(false);
+  vehicle.go(100, 0, none, 1);
+  vehicle.fall(8.8);
+  vehicle.go(5, 0, none, 1);
+  vehicle.fall(0);
+  vehicle.go(60, 0, none, 1);
+  EXPECT_LT(vehicle.most_suspicion(), 0.5);
+  vehicle.go(30, 0, {1800 * degree_per_hour, 0, 0}, 1);
   EXPECT_EQ(vehicle.most_suspicion(), 1);
 }
 
