@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "drivers/diagnosis/finding_words.hpp"
+#include "drivers/diagnosis/surroundings.hpp"
 #include "drivers/text/measurement_fields.hpp"
 #include "hil/fault/injector.hpp"
 #include "rig_config/fault_vocabulary.hpp"
@@ -30,11 +31,6 @@ bool is_number(const T&) {  // words, counts and lists hold no NaN
 /// A fault of the whole bus affects every device on it.
 bool is_of_the_bus(rig_config::FaultKind kind) {
   return rig_config::word_of(kind).facts.needs == rig_config::FaultNeed::can_bus;
-}
-
-/// Without a fault too the bed may be out of range, and an antenna may be under water.
-bool is_of_the_surroundings(diagnosis::Cause cause) {
-  return cause == diagnosis::Cause::bottom_lost || cause == diagnosis::Cause::satellites_blocked;
 }
 
 }  // namespace
@@ -67,9 +63,9 @@ void SoakWatch::count_quiet(Stamp now) {
 void SoakWatch::on_finding(const diagnosis::Finding& finding) {
   if (finding.until) return;
   ++findings_;
-  if (is_of_the_surroundings(finding.cause)) ++of_surroundings_;
-  if (is_of_the_surroundings(finding.cause) || !quiet(finding.found) ||
-      !bench_->faults.in_force(finding.found).empty())
+  const bool of_surroundings = diagnosis::is_of_the_surroundings(finding.cause);
+  if (of_surroundings) ++of_surroundings_;
+  if (of_surroundings || !quiet(finding.found) || !bench_->faults.in_force(finding.found).empty())
     return;
   ++false_alarms_;
   const auto account = diagnosis::account_of(finding, rig_.devices.at(finding.device).name, start_);

@@ -1,9 +1,12 @@
 #include "hil/scorecard/finding_score.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
+
+#include "drivers/diagnosis/surroundings.hpp"
 
 namespace drydock::scorecard {
 namespace {
@@ -42,10 +45,29 @@ bool is_harmed(const rig_config::Rig& rig, const Pair& pair, std::size_t device)
   return is_harmed(rig, pair.fault, device) || (pair.also && is_harmed(rig, *pair.also, device));
 }
 
+bool overlap(const FindingAt& one, const FindingAt& other) {
+  constexpr double never_over_s = std::numeric_limits<double>::infinity();
+  return one.found_s <= other.until_s.value_or(never_over_s) &&
+         other.found_s <= one.until_s.value_or(never_over_s);
+}
+
+/// Bed and sky are as they are in the run without faults.
+std::vector<FindingAt> less_surroundings(std::vector<FindingAt> findings,
+                                         const std::vector<FindingAt>& sound) {
+  std::erase_if(findings, [&](const FindingAt& finding) {
+    return diagnosis::is_of_the_surroundings(finding.cause) &&
+           std::ranges::any_of(sound, [&](const FindingAt& one) {
+             return one.device == finding.device && one.cause == finding.cause &&
+                    overlap(one, finding);
+           });
+  });
+  return findings;
+}
+
 std::vector<std::string> others_accused(const rig_config::Rig& rig, const Window& window,
-                                        const Pair& pair, const RunRecord& run) {
+                                        const Pair& pair, const std::vector<FindingAt>& findings) {
   std::set<std::pair<std::size_t, Cause>> accused;
-  for (const FindingAt& finding : run.findings)
+  for (const FindingAt& finding : findings)
     if (finding.found_s >= window.warm_up_s && !is_harmed(rig, pair, finding.device))
       accused.emplace(finding.device, finding.cause);
   std::vector<std::string> names;
@@ -58,12 +80,13 @@ std::vector<std::string> others_accused(const rig_config::Rig& rig, const Window
 }  // namespace
 
 FindingScore judge_findings(const rig_config::Rig& rig, const Window& window, const Pair& pair,
-                            const RunRecord& run) {
+                            const std::vector<FindingAt>& sound, const RunRecord& run) {
   FindingScore score;
-  score.others = others_accused(rig, window, pair, run);
+  const auto findings = less_surroundings(run.findings, sound);
+  score.others = others_accused(rig, window, pair, findings);
   std::map<Cause, double> said_s;
   const FindingAt* first = nullptr;
-  for (const FindingAt& finding : run.findings) {
+  for (const FindingAt& finding : findings) {
     if (finding.found_s < window.warm_up_s) ++score.before;
     const double within_s = seconds_within(finding, window);
     if (finding.found_s < window.warm_up_s || within_s <= 0) continue;

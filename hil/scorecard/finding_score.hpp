@@ -22,7 +22,9 @@ struct FindingScore {
                                     ///< fault began, each with each of its causes
 };
 
+/// `sound`: the findings of the run without faults. Those of bed and sky that it has too are true,
+/// and count for nothing.
 FindingScore judge_findings(const rig_config::Rig& rig, const Window& window, const Pair& pair,
-                            const RunRecord& run);
+                            const std::vector<FindingAt>& sound, const RunRecord& run);
 
 }  // namespace drydock::scorecard

@@ -143,7 +143,7 @@ Score score_of(const rig_config::Rig& rig, const Window& window, const Pair& pai
     score.detect_s = sign->at_s - window.warm_up_s;
     score.sign = sign->what;
   }
-  score.finding = judge_findings(rig, window, pair, run);
+  score.finding = judge_findings(rig, window, pair, reference.run().findings, run);
   score.recover_s = recovery_s(pair, reference, run, window);
   for (std::size_t i = 0; i < run.devices.size(); ++i)
     (i == pair.device ? score.lost : score.others_lost) +=

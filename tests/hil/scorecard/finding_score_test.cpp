@@ -38,7 +38,8 @@ FindingAt found(std::size_t device, Cause cause, double from_s, double until_s) 
 }
 
 FindingScore judged(const std::vector<FindingAt>& findings, const char* device,
-                    rig_config::FaultKind kind, const char* also = nullptr) {
+                    rig_config::FaultKind kind, const char* also = nullptr,
+                    const std::vector<FindingAt>& sound = {}) {
   RunRecord run;
   run.devices.resize(3);
   run.findings = findings;
@@ -46,7 +47,7 @@ FindingScore judged(const std::vector<FindingAt>& findings, const char* device,
   pair.fault.device = device;
   pair.fault.kind = kind;
   if (also != nullptr) pair.also.emplace().device = also;
-  return judge_findings(three_devices(), window, pair, run);
+  return judge_findings(three_devices(), window, pair, sound, run);
 }
 
 TEST(FindingScore, NamesTheSoundDevicesThatAreAccusedEachCauseOnce) {
@@ -66,6 +67,19 @@ TEST(FindingScore, HoldsADeviceOnAHarmedBusOrWithAFaultOfItsOwnForUnsound) {
   EXPECT_TRUE(judged(findings, "depth", rig_config::FaultKind::bus_load).others.empty());
   EXPECT_EQ(judged(findings, "depth", rig_config::FaultKind::bias).others, Names{"gnss bus-load"});
   EXPECT_TRUE(judged(findings, "depth", rig_config::FaultKind::bias, "gnss").others.empty());
+}
+
+TEST(FindingScore, HoldsForTrueWhatTheRunWithoutFaultsSaysOfBedAndSky) {
+  const std::vector<FindingAt> bed{found(dvl, Cause::bottom_lost, 5, 12),
+                                   found(gnss, Cause::bias, 6, 8)};
+  auto with_fault = bed;
+  with_fault.push_back(found(depth, Cause::bias, 13, 20));
+  with_fault.push_back(found(dvl, Cause::bottom_lost, 14, 20));
+  const auto score = judged(with_fault, "depth", rig_config::FaultKind::bias, nullptr, bed);
+  EXPECT_EQ(score.before, 1u) << "the receiver's";
+  EXPECT_TRUE(score.right_device);
+  EXPECT_EQ(score.found_s, 3);
+  EXPECT_EQ(score.others, Names{"dvl bottom-lost"}) << "that of the run with the fault alone";
 }
 
 TEST(FindingScore, TellsTheAccusedInTableFileAndPage) {
