@@ -32,7 +32,7 @@ Names names_of(const EstimateTopics& topics) {
   return names;
 }
 
-std::string all_types() {
+std::string type_names() {
   Names names;
   for (const auto& type : message_types()) names.push_back(type.short_name());
   return fmt::format("{}", fmt::join(names, ", "));
@@ -82,10 +82,10 @@ boost::system::result<TopicChoice, Problem> choose_topics(const EstimateTopics& 
                                                           const std::string& wanted) {
   const auto names = names_of(topics);
   if (topics.contains(wanted)) return TopicChoice{{wanted}, {}};
-  if (topics.empty()) return Problem{fmt::format("no topic of {} in it", all_types())};
+  if (topics.empty()) return Problem{fmt::format("no topic of {} in it", type_names())};
   if (!wanted.empty())
-    return Problem{fmt::format("no topic '{}' of {}; give --topic, one of: {}", wanted, all_types(),
-                               fmt::join(names, ", "))};
+    return Problem{fmt::format("no topic '{}' of {}; give --topic, one of: {}", wanted,
+                               type_names(), fmt::join(names, ", "))};
   const auto estimates = estimates_in(topics, devices);
   if (estimates.empty())
     return Problem{fmt::format("no estimates in it, only {}; give --topic to score one of them",
