@@ -15,6 +15,8 @@ namespace {
 std::atomic<bool> interrupted = false, unread = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
+bool (*other)() = nullptr;  // whose the signals are; null: this program's
+
 constexpr std::array ends{SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
 std::mutex mutex;  // protects both
@@ -41,7 +43,10 @@ void on_end(int signal) {
 
 }  // namespace
 
+void leave_signals_to(bool (*is_to_end)()) { other = is_to_end; }
+
 InterruptFlag::InterruptFlag(ClosedPipe closed_pipe) {
+  if (other != nullptr) return;
   const std::lock_guard lock(mutex);
   if (alive++ > 0) return;
   interrupted = false;
@@ -50,6 +55,7 @@ InterruptFlag::InterruptFlag(ClosedPipe closed_pipe) {
 }
 
 InterruptFlag::~InterruptFlag() {
+  if (other != nullptr) return;
   const std::lock_guard lock(mutex);
   if (--alive > 0) return;
   for_each_caught([](std::size_t i) { std::signal(ends[i], before[i]); });
@@ -61,6 +67,6 @@ bool interrupt_is_noted() {
   return alive > 0 && interrupted;
 }
 
-bool InterruptFlag::set() const { return interrupted; }
+bool InterruptFlag::set() const { return other != nullptr ? other() : interrupted.load(); }
 
 }  // namespace drydock::terminal

@@ -20,6 +20,10 @@ class InterruptFlag {
   bool set() const;  ///< from any thread
 };
 
+/// The signals of this process are another's, an interpreter's: from now on flags catch none, and
+/// are set while `is_to_end` says so. Call it before the first flag.
+void leave_signals_to(bool (*is_to_end)());
+
 /// True if a flag that lives now is set. Safe from any thread; catches no signal itself.
 bool interrupt_is_noted();
 

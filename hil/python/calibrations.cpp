@@ -1,4 +1,5 @@
 #include "hil/calibrate/outcome.hpp"
+#include "hil/python/outside_python.hpp"
 #include "hil/python/topics.hpp"
 #include "hil/python/values.hpp"
 #include "hil/track/gather.hpp"
@@ -9,7 +10,7 @@ namespace {
 py::object calibrate(const std::string& recording, const std::string& rig) {
   std::string json;
   {
-    const py::gil_scoped_release others_run;
+    const OutsidePython others_run;
     json = to_json(calibrate::calibrated(track::gather_recording(recording, {}, rig)));
   }
   return value_of_json(json);

@@ -3,6 +3,7 @@
 
 #include "drivers/decode/replay.hpp"
 #include "hil/python/measurement_tables.hpp"
+#include "hil/python/outside_python.hpp"
 #include "hil/python/topics.hpp"
 #include "hil/python/warn.hpp"
 #include "rig_config/device_description/load_description.hpp"
@@ -27,7 +28,7 @@ py::dict decode_capture(const std::string& path, const std::string& protocol,
   std::size_t measurements = 0;
   decode::Played played;
   {
-    const py::gil_scoped_release others_run;
+    const OutsidePython others_run;
     if (rig_config::is_description(protocol))
       options.description = rig_config::find_description(protocol, "").value();
     played = decode::play(options, [&](const measurement::Measurement& m) {

@@ -6,6 +6,7 @@
 
 #include "hil/python/lockstep_run.hpp"
 #include "hil/python/measurement_object.hpp"
+#include "hil/python/outside_python.hpp"
 #include "hil/python/topics.hpp"
 
 namespace drydock::python {
@@ -55,7 +56,7 @@ py::dict run(const std::string& rig, std::optional<double> duration_s,
 
   std::optional<LockstepRun> lockstep;
   {
-    const py::gil_scoped_release others_run;
+    const OutsidePython others_run;
     lockstep.emplace(rig, options);
     lockstep->run();
   }

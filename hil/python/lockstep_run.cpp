@@ -12,6 +12,7 @@
 #include "hil/fault/injector.hpp"
 #include "hil/motion/make_trajectory.hpp"
 #include "hil/motion/remembered_trajectory.hpp"
+#include "hil/python/outside_python.hpp"
 #include "hil/python/values.hpp"
 #include "rig_config/estimator_name.hpp"
 #include "rig_config/load.hpp"
@@ -25,7 +26,7 @@ using rig_config::Rig;
 void refuse(const rig_config::Problems& problems) {
   if (problems.empty()) return;
   std::string lines;
-  for (const auto& problem : problems) lines += to_string(problem) + "\n";
+  for (const auto& problem : problems) lines += (lines.empty() ? "" : "\n") + to_string(problem);
   throw std::invalid_argument(lines);
 }
 
@@ -119,10 +120,7 @@ void LockstepRun::run() {
 
 py::dict LockstepRun::take() {
   failure_.throw_if_any();
-  if (summary_.interrupted) {
-    PyErr_SetNone(PyExc_KeyboardInterrupt);
-    throw py::error_already_set();
-  }
+  throw_if_ended();
   py::dict result;
   result["summary"] = value_of_json(to_json(summary_));
   result["measurements"] = log_.take_measurements(*names_.devices);

@@ -36,7 +36,7 @@ class LockstepRun {
   /// Throws std::runtime_error with one line if it cannot begin.
   void run();
 
-  /// Throws the first exception of a callback, and KeyboardInterrupt.
+  /// Throws the first exception of a callback, and as throw_if_ended().
   py::dict take();
 
  private:

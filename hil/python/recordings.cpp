@@ -6,6 +6,7 @@
 #include "drivers/text/printable.hpp"
 #include "hil/python/measurement_tables.hpp"
 #include "hil/python/message_table.hpp"
+#include "hil/python/outside_python.hpp"
 #include "hil/python/topics.hpp"
 #include "hil/python/warn.hpp"
 
@@ -54,7 +55,7 @@ py::dict decode_recording(const std::string& path, std::vector<std::string> only
   std::vector<std::string> devices;
   std::string damage;
   {
-    const py::gil_scoped_release others_run;
+    const OutsidePython others_run;
     auto recording = opened(path, part);
     const auto rig = record::rig_of(recording).value();
     for (const auto& device : rig.devices) devices.push_back(device.name);
@@ -101,7 +102,7 @@ py::dict read_recording(const std::string& path, std::vector<std::string> only, 
   Topics topics;
   std::string damage;
   {
-    const py::gil_scoped_release others_run;
+    const OutsidePython others_run;
     auto recording = opened(path, part);
     const auto begin = recording.begin().value_or(measurement::Stamp{});
     while (const auto event = recording.next()) {

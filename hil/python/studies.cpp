@@ -2,12 +2,14 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
 #include <thread>
 
 #include "drivers/terminal/interrupt_flag.hpp"
 #include "drivers/text/json_of_any_text.hpp"
 #include "hil/python/columns.hpp"
+#include "hil/python/outside_python.hpp"
 #include "hil/python/topics.hpp"
 #include "hil/python/values.hpp"
 #include "hil/study/run/run_study.hpp"
@@ -18,10 +20,15 @@ namespace {
 class UntilInterrupted final : public study::Progress {
  public:
   void on_run(std::string_view, std::size_t, std::size_t) override {}
-  bool stopped() const override { return interrupt_.set(); }
+  /// Only the calling thread learns of a signal; the other ones hear it from that.
+  bool stopped() const override {
+    if (interrupt_.set()) stopped_ = true;
+    return stopped_;
+  }
 
  private:
   terminal::InterruptFlag interrupt_;
+  mutable std::atomic<bool> stopped_ = false;
 };
 
 const study::Study& study_of(const std::string& name, const study::Options& options) {
@@ -71,14 +78,11 @@ py::dict run_study(const std::string& name, std::size_t runs, std::uint64_t seed
   const auto& study = study_of(name, options);
   study::Result result;
   {
-    const py::gil_scoped_release others_run;
+    const OutsidePython others_run;
     UntilInterrupted progress;
     result = study.run(options, progress);
   }
-  if (result.runs < runs) {
-    PyErr_SetNone(PyExc_KeyboardInterrupt);
-    throw py::error_already_set();
-  }
+  throw_if_ended();
   py::list tables, figures;
   for (const auto& table : result.tables) tables.append(dict_of(table));
   for (auto& figure : result.figures) figures.append(dict_of(std::move(figure)));

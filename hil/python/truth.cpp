@@ -9,6 +9,7 @@
 #include "hil/check/check_rig.hpp"
 #include "hil/motion/make_trajectory.hpp"
 #include "hil/python/columns.hpp"
+#include "hil/python/outside_python.hpp"
 #include "hil/python/topics.hpp"
 #include "hil/python/truth_fields.hpp"
 #include "rig_config/load.hpp"
@@ -59,7 +60,7 @@ py::dict truth(const std::string& mission, const std::optional<Times>& times_s, 
   const Stamp start = measurement::stamp_from_ns(start_ns);
   Columns columns;
   {
-    const py::gil_scoped_release others_run;
+    const OutsidePython others_run;
     const auto motion = motion_of(mission, start);
     const auto add = [&](double t) {
       columns.begin_row();

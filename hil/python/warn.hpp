@@ -6,9 +6,9 @@
 
 namespace drydock::python {
 
-/// A RuntimeWarning of Python; an empty line is none.
+/// A RuntimeWarning of Python at the line that called the package; an empty line is none.
 inline void warn(const std::string& line) {
-  if (!line.empty() && PyErr_WarnEx(PyExc_RuntimeWarning, line.c_str(), 1) != 0)
+  if (!line.empty() && PyErr_WarnEx(PyExc_RuntimeWarning, line.c_str(), 2) != 0)
     throw pybind11::error_already_set();
 }
 

@@ -69,7 +69,7 @@ class Capture(unittest.TestCase):
             drydock.decode_capture(GOLDEN, "pd7")
         with self.assertRaisesRegex(ValueError, "allowed: emlog, gnss"):
             drydock.decode_capture(GOLDEN, "nmea0183")
-        with self.assertRaisesRegex(RuntimeError, "no-such-file"):
+        with self.assertRaisesRegex(FileNotFoundError, "no-such-file"):
             drydock.decode_capture("no-such-file", "pd0")
 
     def test_a_file_of_noise_has_no_measurements_and_does_no_harm(self):

@@ -5,6 +5,7 @@ import os
 import signal
 import subprocess
 import sys
+import textwrap
 import threading
 import unittest
 
@@ -71,6 +72,70 @@ class Interpreter(unittest.TestCase):
                   f"    print('the handler is the old one')\n")
         done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60, env=dict(os.environ))
         self.assertEqual((done.stdout, done.returncode), ("interrupted\nthe handler is the old one\n", 0), done.stderr)
+
+    def test_a_program_keeps_its_own_handlers_of_signals_while_a_rig_runs(self):
+        said = self.program("""
+            heard = []
+            def press(number):
+                def once(step):
+                    if step.number == 1: os.kill(os.getpid(), number)
+                return {'press': once}
+            for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+                signal.signal(number, lambda number, frame: heard.append(number))
+                assert drydock.run(DEMO, 30, estimators=press(number)).summary['duration_s'] == 30
+            print(heard == [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+            signal.signal(signal.SIGINT, signal.SIG_IGN)
+            print(drydock.run(DEMO, 30, estimators=press(signal.SIGINT)).summary['duration_s'])""")
+        self.assertEqual(said, ("True\n30.0\n", "", 0))
+
+    def test_a_broken_connection_of_another_thread_does_not_end_a_run(self):
+        said = self.program("""
+            ours, theirs = socket.socketpair()
+            theirs.close()
+            def write(step):
+                if step.number == 1:
+                    try: ours.send(b'x')
+                    except BrokenPipeError: print('broken')
+            print(drydock.run(DEMO, 30, estimators={'write': write}).summary['duration_s'])""")
+        self.assertEqual(said, ("broken\n30.0\n", "", 0))
+
+    def test_an_alarm_of_the_program_ends_a_run_that_has_no_function_of_python(self):
+        said = self.program("""
+            def late(number, frame): raise TimeoutError('too long')
+            signal.signal(signal.SIGALRM, late)
+            for work in (lambda: drydock.run(DEMO, 1e7), lambda: drydock.study('leveling', runs=1000000, jobs=2)):
+                signal.setitimer(signal.ITIMER_REAL, 0.05)
+                try: work()
+                except TimeoutError as error: print(error)""")
+        self.assertEqual(said, ("too long\ntoo long\n", "", 0))
+
+    def test_sigterm_ends_a_program_in_a_run_as_it_ends_python(self):
+        said = self.program("""
+            drydock.run(DEMO, 1e7, estimators={'press': lambda step: os.kill(os.getpid(), signal.SIGTERM)})""")
+        self.assertEqual(said, ("", "", -signal.SIGTERM))
+
+    def test_a_program_ends_while_its_daemon_threads_run_rigs(self):
+        said = self.program("""
+            begun = threading.Barrier(3)
+            def once(step):
+                if step.number == 1: begun.wait()
+            def work(): drydock.run(DEMO, 1e7, estimators={'once': once})
+            for _ in range(2): threading.Thread(target=work, daemon=True).start()
+            begun.wait()""")
+        self.assertEqual(said, ("", "", 0))
+
+    def test_a_sub_interpreter_is_refused(self):
+        said = self.program("""
+            import _xxsubinterpreters as interpreters
+            try: interpreters.run_string(interpreters.create(), 'import drydock')
+            except interpreters.RunFailedError as error: print(error)""")
+        self.assertIn("drydock works in the main interpreter of a process alone", said[0])
+
+    def program(self, text):
+        """What a program with these lines prints, on both, and how it ends."""
+        head = f"import drydock, os, signal, socket, threading\nDEMO = {str(DEMO)!r}\n"
+        done = subprocess.run([sys.executable, "-c", head + textwrap.dedent(text)], capture_output=True, text=True, timeout=60)
+        return done.stdout, done.stderr, done.returncode
 
 
 if __name__ == "__main__":

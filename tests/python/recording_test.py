@@ -78,7 +78,7 @@ class Recording(unittest.TestCase):
                 for seconds in (float("nan"), float("inf"), 1e10):
                     with self.assertRaisesRegex(ValueError, f"{name} is .*, allowed: seconds since the first message"):
                         read(recording, **{name: seconds})
-        with self.assertRaisesRegex(RuntimeError, "no-such.mcap"):
+        with self.assertRaisesRegex(FileNotFoundError, "no-such.mcap"):
             drydock.decode_recording("no-such.mcap")
         with tempfile.TemporaryDirectory() as folder:
             cut = pathlib.Path(folder, "cut.mcap")

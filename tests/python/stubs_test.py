@@ -41,6 +41,14 @@ class Stubs(unittest.TestCase):
         program.write_text("import drydock\ndrydock.run('demo', 10, estimator={})\n")
         self.assertIn('Unexpected keyword argument "estimator"', self.mypy("mypy", program).stdout)
 
+    def test_a_controller_may_give_a_list_or_an_array(self):
+        program = self.room / "controllers.py"
+        program.write_text("import drydock\nimport numpy as np\n"
+                           "drydock.run('ardusub', 1, controller=lambda moment: [0.0, 0.5])\n"
+                           "drydock.run('ardusub', 1, controller=lambda moment: np.zeros(6))\n")
+        done = self.mypy("mypy", "--strict", program)
+        self.assertEqual(done.returncode, 0, done.stdout)
+
 
 if __name__ == "__main__":
     unittest.main()

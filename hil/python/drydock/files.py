@@ -2,11 +2,11 @@
 
 import json
 import os
-from typing import Any, Dict, List, Union
+from typing import Any, Dict, List
 
 import numpy as np
 
-Path = Union[str, "os.PathLike[str]"]
+from .arguments import Path
 
 
 def _column(values: List[Any]) -> Any:
@@ -34,20 +34,20 @@ def _table(rows: List[Dict[str, Any]]) -> Dict[str, Any]:
     return {name: _column([row.get(name) for row in flat]) for name in dict.fromkeys(name for row in flat for name in row)}
 
 
-def _read(path: Path, key: str, what: str) -> Dict[str, Any]:
+def _read(path: Path, key: str, what: str, command: str) -> Dict[str, Any]:
     with open(path, encoding="utf-8") as file:
         try:
             content = json.load(file)
         except ValueError as error:  # no JSON, or no UTF-8
             raise ValueError(f"{os.fspath(path)} is no {what}: {error}") from error
     if not isinstance(content, dict) or key not in content:
-        raise ValueError(f"{os.fspath(path)} is no {what}; drydock {what} --json writes one")
+        raise ValueError(f"{os.fspath(path)} is no {what}; drydock {command} --json writes one")
     return content
 
 
 def read_scorecard(path: Path) -> Dict[str, Any]:
     """The file of `drydock scorecard --json`; `pairs` is a table with a row for each fault of each device."""
-    card = _read(path, "drydock_scorecard", "scorecard")
+    card = _read(path, "drydock_scorecard", "scorecard", "scorecard")
     return {**card, "pairs": _table(card["pairs"])}
 
 
@@ -58,4 +58,4 @@ def with_arrays(calibration: Dict[str, Any]) -> Dict[str, Any]:
 
 def read_calibration(path: Path) -> Dict[str, Any]:
     """What `drydock calibrate --json` writes; `findings` is a table, `correlation` a matrix."""
-    return with_arrays(_read(path, "correlation", "calibrate"))
+    return with_arrays(_read(path, "correlation", "calibration", "calibrate"))
