@@ -65,15 +65,15 @@ std::string progress_text(const Ledger& ledger, std::size_t runs, std::int64_t n
 }
 
 int print_status(const CampaignOptions& options, std::FILE* out, std::FILE* errors) {
-  const auto config = read_campaign(options.file, errors);
-  if (!config) return terminal::exit_usage;
-  const auto folder = folder_of(options);
-  const std::size_t runs = Plan(*config).runs();
-  const Ledger ledger = read_ledger(journal_folder(folder), runs, config->figures.size());
+  const auto campaign = find_campaign(options, errors);
+  if (!campaign) return terminal::exit_usage;
+  const auto& [config, folder] = *campaign;
+  const std::size_t runs = Plan(config).runs();
+  const Ledger ledger = read_ledger(journal_folder(folder), runs, config.figures.size());
   const auto now = std::chrono::duration_cast<std::chrono::milliseconds>(
       std::chrono::system_clock::now().time_since_epoch());
   const double done = static_cast<double>(ledger.records.size()) / static_cast<double>(runs);
-  fmt::print(out, "{} {} {}\n", config->name, terminal::progress_bar(done),
+  fmt::print(out, "{} {} {}\n", config.name, terminal::progress_bar(done),
              progress_text(ledger, runs, now.count()));
   print_tasks(submitted_jobs(folder), out, errors);
   return terminal::exit_success;

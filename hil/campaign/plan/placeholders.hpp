@@ -25,7 +25,7 @@ std::string filled(const CampaignConfig& campaign, std::size_t index,
 std::vector<std::string> command_of(const CampaignConfig& campaign, std::size_t index,
                                     const std::filesystem::path& folder);
 
-/// Where a run leaves its figures if the command has {json}.
+/// Where a run leaves its figures if the command or a file of the campaign has {json}.
 inline std::filesystem::path json_file(const std::filesystem::path& folder) {
   return folder / "figures.json";
 }

@@ -87,6 +87,13 @@ void take_figures(const CampaignConfig& campaign, const fs::path& json, const Ch
     record.failure = "none of the figures is in its JSON";
 }
 
+/// Whether its figures come in a file: the command names it, or a script of the campaign.
+bool writes_json(const CampaignConfig& campaign) {
+  const auto names_it = [](const std::string& text) { return text.find("{json}") != text.npos; };
+  return names_it(campaign.command) ||
+         std::ranges::any_of(campaign.files, names_it, &FileConfig::text);
+}
+
 std::int64_t now_ms() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
@@ -107,8 +114,7 @@ std::optional<Record> do_run(const CampaignConfig& campaign, std::size_t index,
   if (end.how == Ended::from_outside) return std::nullopt;
   Record record{.index = index, .figures = {}, .exit_code = end.code};
   record.failure = failure_of(end, child);
-  const bool to_file = campaign.command.find("{json}") != std::string::npos;
-  take_figures(campaign, to_file ? json_file(folder) : child.output, child, record);
+  take_figures(campaign, writes_json(campaign) ? json_file(folder) : child.output, child, record);
   record.took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   record.ended_ms = now_ms();
   return record;

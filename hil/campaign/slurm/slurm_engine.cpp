@@ -140,9 +140,15 @@ bool run_on_slurm(const OpenCampaign& campaign, const CampaignOptions& options, 
 }
 
 int cancel_campaign(const CampaignOptions& options, std::FILE* out, std::FILE* errors) {
-  if (!read_campaign(options.file, errors)) return terminal::exit_usage;
-  const auto jobs = submitted_jobs(folder_of(options));
-  if (!jobs.empty()) cancel(jobs);
+  const auto campaign = find_campaign(options, errors);
+  if (!campaign) return terminal::exit_usage;
+  const auto jobs = submitted_jobs(campaign->out);
+  if (jobs.empty()) {
+    fmt::print(errors, "campaign: {} has no jobs of Slurm; Ctrl-C ends runs on this machine\n",
+               campaign->out.string());
+    return terminal::exit_failed;
+  }
+  cancel(jobs);
   fmt::print(out, "cancelled {} jobs; what they did stays\n", jobs.size());
   return terminal::exit_success;
 }

@@ -76,6 +76,38 @@ TEST(CampaignProgram, AnEarlierCampaignThatIsNotThereIsSaidBeforeTheFirstRun) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
+/// A wrong --out would look as a campaign that does not get on.
+TEST(CampaignProgram, StatusAndCancelSayWhereNothingOfTheCampaignIs) {
+  const Folder folder;
+  write(folder / "c.toml", campaign_text("echo '{\"y\": 1}'", 2));
+  const auto asked = [&](const std::string& option) {
+    return drydock(campaign_in(folder) + " " + option);
+  };
+  for (const char* option : {"--status", "--cancel"}) {
+    const auto said = asked(option);
+    EXPECT_EQ(said.exit_code, 2);
+    EXPECT_THAT(said.output, HasSubstr("out has no campaign; allowed: --out with a folder"));
+  }
+  ASSERT_EQ(asked("").exit_code, 0);
+  const auto cancelled = asked("--cancel");
+  EXPECT_EQ(cancelled.exit_code, 1);
+  EXPECT_THAT(cancelled.output, HasSubstr("out has no jobs of Slurm"));
+  write(folder / "c.toml", campaign_text("echo '{\"y\": 1}'", 3));
+  const auto changed = asked("--status");
+  EXPECT_EQ(changed.exit_code, 2);
+  EXPECT_THAT(changed.output, HasSubstr("or this one before a change; allowed: its own file"));
+}
+
+TEST(CampaignProgram, AScriptOfTheCampaignMayWriteTheJsonWhereItIsRead) {
+  const Folder folder;
+  write(folder / "c.toml",
+        campaign_text("echo 'this is no JSON'\necho '{\"y\": {index}}' > {json}", 3));
+  const auto said = drydock(campaign_in(folder));
+  EXPECT_EQ(said.exit_code, 0) << said.output;
+  EXPECT_THAT(column(folder / "out" / "results.sqlite", "SELECT sum(y) FROM runs"),
+              testing::ElementsAre("3.0"));
+}
+
 TEST(CampaignProgram, AProgramThatIsNotThereIsNamed) {
   const Folder folder;
   auto text = campaign_text("", 1);
