@@ -8,6 +8,8 @@
 #include <numeric>
 #include <regex>
 
+#include "rig_config/rules/other_names.hpp"
+
 namespace drydock::rig_config {
 
 namespace {
@@ -226,6 +228,7 @@ std::string did_you_mean(const std::string& word, std::span<const std::string> k
   };
   const auto nearest = std::ranges::min_element(known, {}, rank);
   if (nearest != known.end() && distance(*nearest) <= 1) return meant(*nearest);
+  if (const auto* other = other_name_of(in_lower_case(word), known)) return meant(*other);
   if (const auto* longer = begun_by(in_lower_case(word), known)) return meant(*longer);
   if (nearest == known.end() || distance(*nearest) > 1 + word.size() / 4) return "";
   return meant(*nearest);

@@ -81,6 +81,17 @@ TEST(Fault, AnUnknownWordOrDeviceIsToldTheKnownOnes) {
                           "allowed: dvl"));
 }
 
+TEST(Fault, AnotherWordOfTheTradeIsTakenForTheKnownOne) {
+  for (const auto& [typed, meant] :
+       {std::pair{"freeze", "stuck"}, {"outlier", "spike"}, {"stop", "hang"}, {"Offset", "bias"}})
+    EXPECT_THAT(problems_of_dvl(std::string("fault = \"") + typed + "\"\n"),
+                ElementsAre(HasSubstr(std::string("(did you mean '") + meant + "'?)")));
+  EXPECT_THAT(problems_of("[[fault]]\ndevice = \"doppler\"\nfault = \"hang\"\n"),
+              ElementsAre(HasSubstr("\"doppler\" (did you mean 'dvl'?)")));
+  EXPECT_THAT(problems_of("[[fault]]\ndevice = \"gps\"\nfault = \"hang\"\n"),
+              ElementsAre(testing::Not(HasSubstr("did you mean"))));  // the rig has none
+}
+
 TEST(Fault, AKeyThatTheFaultDoesNotHaveIsRefused) {
   EXPECT_THAT(problems_of_dvl("fault = \"hang\"\nseconds = 3\n"),
               ElementsAre(HasSubstr("/fault/0/seconds: the fault \"hang\" has no seconds, allowed: "
