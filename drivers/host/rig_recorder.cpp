@@ -13,6 +13,7 @@
 #include "drivers/host/rig_bus.hpp"
 #include "drivers/link/uri.hpp"
 #include "drivers/recordings/record/part_files.hpp"
+#include "drivers/terminal/data_size.hpp"
 #include "drivers/wire/protocols.hpp"
 #include "rig_config/estimator_name.hpp"
 
@@ -169,8 +170,8 @@ std::string RigRecorder::finish() {
   if (status.files > 1) files += fmt::format(" and {} more", status.files - 1);
   if (status.deleted > 0) files += fmt::format(", the oldest {} deleted", status.deleted);
   const auto clock = recorder_.clock_note();
-  return fmt::format("recording {}: {} messages, {:.1f} MB, {} lost{}", files, status.messages,
-                     static_cast<double>(status.bytes) / 1e6, status.lost,
+  return fmt::format("recording {}: {} messages, {}, {} lost{}", files, status.messages,
+                     terminal::data_size_text(status.bytes), status.lost,
                      clock.empty() ? "" : "; " + clock);
 }
 

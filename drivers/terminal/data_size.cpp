@@ -35,4 +35,12 @@ std::string no_data_size(std::string_view text) {
   return fmt::format("'{}' is no size; allowed: 512MiB, 20GiB, 1.5TB", text);
 }
 
+std::string data_size_text(std::uint64_t bytes) {
+  const auto size = static_cast<double>(bytes);
+  if (bytes < 1000) return fmt::format("{} B", bytes);
+  if (size < 999.5e3) return fmt::format("{:.0f} kB", size / 1e3);
+  if (size < 999.95e6) return fmt::format("{:.1f} MB", size / 1e6);
+  return fmt::format("{:.1f} GB", size / 1e9);
+}
+
 }  // namespace drydock::terminal

@@ -12,4 +12,7 @@ namespace drydock::terminal {
 std::optional<std::uint64_t> parse_data_size(std::string_view text);
 std::string no_data_size(std::string_view text);  ///< the error line for a text that is no size
 
+/// "842 B", "12 kB", "3.4 MB", "1.2 GB": SI units, MB and GB with one decimal.
+std::string data_size_text(std::uint64_t bytes);
+
 }  // namespace drydock::terminal

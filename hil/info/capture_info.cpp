@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/capture/capture_file.hpp"
+#include "drivers/terminal/data_size.hpp"
 #include "drivers/text/json_of_any_text.hpp"
 #include "drivers/text/printable.hpp"
 #include "hil/info/utc.hpp"
@@ -49,9 +50,9 @@ std::optional<CaptureInfo> capture_info(const std::string& file) {
 }
 
 std::string to_text(const CaptureInfo& info) {
-  std::string text = fmt::format("{}: CAN capture, {}, {:.1f} MB, {} frames, {} identifiers",
-                                 info.file, info.format, static_cast<double>(info.size) / 1e6,
-                                 info.frames, info.identifiers.size());
+  std::string text =
+      fmt::format("{}: CAN capture, {}, {}, {} frames, {} identifiers", info.file, info.format,
+                  terminal::data_size_text(info.size), info.frames, info.identifiers.size());
   if (info.duration_s() > 0)
     text += fmt::format(", {:.1f} s, {:.1f} frames a second, longest gap {:.3f} s",
                         info.duration_s(), static_cast<double>(info.frames) / info.duration_s(),

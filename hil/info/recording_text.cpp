@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "drivers/terminal/data_size.hpp"
 #include "drivers/text/json_of_any_text.hpp"
 #include "drivers/text/printable.hpp"
 #include "hil/info/recording_info.hpp"
@@ -39,8 +40,8 @@ nlohmann::json json_of(const std::map<std::string, TopicInfo>& all, record::Stam
 }  // namespace
 
 std::string to_text(const RecordingInfo& info) {
-  std::string text = fmt::format("{}: MCAP recording, {:.1f} MB, {:.1f} s{}\nwritten by {}{}\n",
-                                 info.file, static_cast<double>(info.size) / 1e6, info.duration_s(),
+  std::string text = fmt::format("{}: MCAP recording, {}, {:.1f} s{}\nwritten by {}{}\n", info.file,
+                                 terminal::data_size_text(info.size), info.duration_s(),
                                  utc::from(info.begin.time_since_epoch()),
                                  info.written_by.empty() ? "another program" : info.written_by,
                                  info.rig.empty() ? "" : ", rig " + info.rig);

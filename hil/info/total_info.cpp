@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "drivers/terminal/data_size.hpp"
 #include "hil/info/utc.hpp"
 
 namespace drydock::info {
@@ -28,7 +29,7 @@ void TotalInfo::add(const TotalInfo& other) {
 
 std::string to_text(const TotalInfo& total) {
   std::string text =
-      fmt::format("total: {} files, {:.1f} MB", total.files, static_cast<double>(total.size) / 1e6);
+      fmt::format("total: {} files, {}", total.files, terminal::data_size_text(total.size));
   if (total.frames > 0) text += fmt::format(", {} frames", total.frames);
   if (total.messages > 0) text += fmt::format(", {} messages", total.messages);
   if (spanned_s(total) > 0) text += fmt::format(", {:.1f} s", spanned_s(total));

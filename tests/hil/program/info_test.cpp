@@ -181,10 +181,10 @@ TEST(Info, OfSeveralFilesHasABlockForEachAndATotal) {
                                        "(1700000005.000000) can0 124#22\n";
   const auto said = drydock("info " + (folder / "t.*.log").string());
   EXPECT_EQ(said.exit_code, 0);
-  EXPECT_THAT(said.output, HasSubstr("t.0.log: CAN capture, candump-log, 0.0 MB, 2 frames"));
-  EXPECT_THAT(said.output, HasSubstr("t.1.log: CAN capture, candump-log, 0.0 MB, 3 frames"));
+  EXPECT_THAT(said.output, HasSubstr("t.0.log: CAN capture, candump-log, 64 B, 2 frames"));
+  EXPECT_THAT(said.output, HasSubstr("t.1.log: CAN capture, candump-log, 96 B, 3 frames"));
   EXPECT_THAT(said.output,
-              HasSubstr("total: 2 files, 0.0 MB, 5 frames, 5.0 s, from 2023-11-14T22:13:20Z\n"));
+              HasSubstr("total: 2 files, 160 B, 5 frames, 5.0 s, from 2023-11-14T22:13:20Z\n"));
   const auto all = json::parse(drydock("info --json " + (folder / "t.*.log").string()).output);
   ASSERT_EQ(all["files"].size(), 2u);
   EXPECT_EQ(all["files"][1]["frames"], 3);
