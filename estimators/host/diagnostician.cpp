@@ -95,7 +95,7 @@ class Diagnostician::Bench final : public Follower, private diagnosis::FindingLi
   };
   struct Line {
     std::string link;
-    double rate_hz = 0;  ///< of all its devices
+    double rate_hz = 0;  ///< of its fastest device: several may all speak at once
     Stamp last{};
   };
   void add_buses(const rig_config::Rig& rig);
@@ -133,7 +133,7 @@ Diagnostician::Bench::Bench(const rig_config::Rig& rig, Follower& to)
     down_m_.push_back(config.lever_arm_m[2]);
     auto line = std::ranges::find(lines_, config.link, &Line::link);
     if (line == lines_.end()) line = lines_.insert(lines_.end(), Line{config.link});
-    line->rate_hz += config.rate_hz;
+    line->rate_hz = std::max(line->rate_hz, config.rate_hz);
     line_of_.push_back(static_cast<std::size_t>(line - lines_.begin()));
   }
   for (const Line& line : lines_) fastest_hz_ = std::max(fastest_hz_, line.rate_hz);

@@ -27,6 +27,9 @@ class MixingAccuracy {
   /// the rate `leak` (1/s; 0: never).
   void step(double proportional, double integral, double leak, double dt);
 
+  /// The gyro's noise over `dt` was more than that of the sensor: by this variance, rad2/s.
+  void add_gyro_noise(double beyond, double dt) { p_(0, 0) += beyond * dt; }
+
   /// The gyro bias (rad/s) and the error of the vertical (rad) may have changed by these sigmas.
   void loosen(double gyro_bias_sigma, double vertical_sigma);
 
@@ -35,6 +38,8 @@ class MixingAccuracy {
 
   /// Variance of pitch, rad2. The variance of roll is this divided by cos2(pitch).
   double variance() const { return p_(0, 0); }
+  /// Likewise against the vertical of the accelerometers, which the loop cannot tell from its own.
+  double variance_to_vertical() const { return p_(0, 0) - 2 * p_(0, 2) + p_(2, 2); }
 
  private:
   SensorAccuracy sensors_;

@@ -63,8 +63,13 @@ class MixingFilter {
   void step(const Eigen::Vector3d& specific_force, const Eigen::Vector3d& angular_rate,
             double speed_mps, double dt);
 
-  double roll() const { return roll_.angle(); }        ///< [-pi, pi]; not valid beyond +-pi/2
-  double pitch() const { return pitch_.angle(); }      ///< [-pi/2, pi/2]
+  double roll() const { return roll_.angle(); }    ///< [-pi, pi]; not valid beyond +-pi/2
+  double pitch() const { return pitch_.angle(); }  ///< [-pi/2, pi/2]
+  /// "Down" in body axes, C_n^b [0 0 1].
+  Eigen::Vector3d down() const {
+    return {-pitch_.sine(), roll_.sine() * pitch_.cosine(), roll_.cosine() * pitch_.cosine()};
+  }
+  double gravity_mps2() const { return gravity_; }
   double heading() const { return heading_.angle(); }  ///< the given heading plus the gyro's turn
   int level() const { return level_; }    ///< manoeuvre level, 1 to 12; always 1 for type 1
   Gains gains() const { return gains_; }  ///< of the last step

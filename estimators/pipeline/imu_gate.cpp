@@ -23,6 +23,10 @@ constexpr double least_force = 0.02;
 /// improbable.
 constexpr int still_samples = 5;
 
+/// Changes behind a leap that are so many times as large as usual are noise. Seven changes of an
+/// IMU that is as noisy as before have such a mean once in 3000 runs.
+constexpr double restless_times = 2;
+
 /// A value that turns back at two changes in five or more is noisy; white noise does at two in
 /// three. If so many samples in a row are equal in all six values and one of them was noisy, the
 /// IMU is stuck.
@@ -109,10 +113,11 @@ bool ImuGate::reachable(const Point& from, const Point& to) const {
 ImuGate::Verdict ImuGate::doubt(const Point& now) {
   if (goes_on(now)) {
     run_->still &= equal_where_leapt(run_->leap, margin(), run_->newest.values, now.values);
+    run_->unrest += (now.values - run_->newest.values).cwiseAbs();
     run_->newest = now;
     ++run_->samples;
   } else {
-    run_ = Run{now, now.values - good_->values, 1};
+    run_ = Run{.newest = now, .leap = now.values - good_->values};
   }
   if (run_->samples < gate::step_samples && seconds(now.at - good_->at) < gate::longest_doubt_s)
     return Verdict::wild;
@@ -134,6 +139,11 @@ ImuStep ImuGate::step_of_run() const {
     return step;
   }
   if (step.thawed) return step;
+  if (is_noise()) {
+    const double unused_s = seconds(run_->newest.at - good_->at);
+    step.turn_sigma = run_->leap.head<3>().norm() * unused_s / 2;
+    return step;
+  }
   const Vector6 limit = margin(), steps = run_->leap - trend_;
   const Vector6 kept = (run_->leap.cwiseAbs().array() > limit.array()).select(steps, 0);
   step.rate = kept.head<3>();
@@ -141,6 +151,15 @@ ImuStep ImuGate::step_of_run() const {
   if (!step.rate.isZero(0)) step.rate_sigma = per_mean_size * off_trend_.head<3>().maxCoeff();
   if (!step.force.isZero(0)) step.force_sigma = per_mean_size * off_trend_.tail<3>().maxCoeff();
   return step;
+}
+
+// Behind a step a sensor is as quiet as before it. One that has become noisy goes on to leap.
+bool ImuGate::is_noise() const {
+  const Vector6 limit = margin();
+  const double changes = restless_times / gate::noise_times * (run_->samples - 1);
+  return ((run_->leap.cwiseAbs().array() > limit.array()) &&
+          (run_->unrest.array() > changes * limit.array()))
+      .any();
 }
 
 void ImuGate::learn(const Point& now) {

@@ -14,7 +14,8 @@ namespace drydock::pipeline {
 struct ImuStep {
   Eigen::Vector3d rate = Eigen::Vector3d::Zero(), force = Eigen::Vector3d::Zero();
   double rate_sigma = 0, force_sigma = 0;
-  bool thawed = false;  ///< the sensor was stuck, and all its earlier steps are over
+  double turn_sigma = 0;  ///< of the turn over the samples that were not used, rad
+  bool thawed = false;    ///< the sensor was stuck, and all its earlier steps are over
 };
 
 /// Recognises samples of an IMU that no vehicle can cause: (I2) to (I4) of
@@ -46,7 +47,8 @@ class ImuGate {
   struct Run {
     Point newest;
     Vector6 leap;
-    int samples = 0;
+    Vector6 unrest = Vector6::Zero();  ///< sum of the absolute changes between them
+    int samples = 1;
     bool still = true;  ///< the quantity that leapt has exactly the same value in all of them
   };
 
@@ -55,6 +57,7 @@ class ImuGate {
   bool goes_on(const Point& now) const;
   Verdict doubt(const Point& now);
   ImuStep step_of_run() const;
+  bool is_noise() const;
   bool frozen(const Vector6& values);
   void learn(const Point& now);
   void learn_noise(const Vector6& change);

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
+
+#include "estimators/mixing/slip_watch.hpp"
 #include "estimators/pipeline/inertial/imu_driven_estimator.hpp"
+#include "estimators/pipeline/sample_noise.hpp"
 
 namespace drydock::pipeline {
 
@@ -14,8 +18,12 @@ class MixingEstimator final : public ImuDrivenEstimator {
 
  private:
   void start(const measurement::ImuSample& sample, double speed_mps) override;
+  void begin(double speed_mps);
   void start_again(const measurement::ImuSample& sample, double speed_mps,
                    double silent_s) override;
+  void bridge(const BridgedGap& gap) override { accuracy_.loosen_attitude(gap.angle_sigma_rad); }
+  void note(const measurement::ImuSample& sample) override { noise_.add(sample); }
+  bool implausible() const override;
   bool blind() const override { return true; }
   void loosen_biases(double rate_sigma, double force_sigma) override;
   void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) override;
@@ -27,6 +35,9 @@ class MixingEstimator final : public ImuDrivenEstimator {
 
   mixing::MixingFilter filter_;
   mixing::MixingAccuracy accuracy_;
+  double gyro_noise_;  ///< of the sensor's sheet, rad2/s
+  SampleNoise noise_;
+  std::array<mixing::SlipWatch, 2> slips_;
   double speed_mps_ = 0;
 };
 

@@ -119,6 +119,7 @@ Outcome RollEstimator::take(const GnssFix& fix, EstimateListener&) {
     axis_.reset();
     return Outcome::unused;
   }
+  timing_.add(fix, *velocity);
   const double by_receiver =
       fix.velocity_ned ? fix.speed_accuracy_mps.value_or(0) / speed : climb_sigma_rad;
   const double sigma = std::hypot(options_.axis_sigma_rad, by_receiver);
@@ -206,16 +207,19 @@ void RollEstimator::stop() {
   gate_.forget();
   gyro_.clear();
   axis_.reset();
+  timing_.clear();
   height_.reset();
 }
 
-Integrity RollEstimator::integrity_of(const AttitudeEstimate& estimate) const {
+// `known_variance`: of the roll, without what the signals only suspect.
+Integrity RollEstimator::integrity_of(const AttitudeEstimate& estimate,
+                                      double known_variance) const {
   Integrity integrity;
   integrity.roll_bound_rad = bound_of(estimate.covariance(0, 0));
   integrity.pitch_bound_rad = bound_of(estimate.covariance(1, 1));
   integrity.heading_bound_rad = integrity.pitch_bound_rad;
   // The comparison of the roll is false for NaN too.
-  integrity.valid = integrity.roll_bound_rad <= alert_.attitude_rad &&
+  integrity.valid = bound_of(known_variance) <= alert_.attitude_rad &&
                     last_ - epoch_ <= longest_without_epoch && trust_.settled(last_);
   return integrity;
 }
@@ -231,10 +235,13 @@ void RollEstimator::emit(EstimateListener& listener) {
   estimate.yaw_rad = axis_->path.azimuth_rad;
   // An angle d between the axis and the velocity changes the roll angle by d sin(pitch).
   const double by_axis = axis_->sigma_rad * std::sin(estimate.pitch_rad);
-  estimate.covariance(0, 0) = filter_.roll_variance() + by_axis * by_axis;
+  // A receiver that is late has signals of an earlier roll.
+  const double by_time = gyro_.rate() * gyro_.rate() * timing_.variance();
+  const double known = filter_.roll_variance() + by_axis * by_axis + by_time;
+  estimate.covariance(0, 0) = known + filter_.watch().suspected_variance();
   estimate.covariance(1, 1) = axis_->sigma_rad * axis_->sigma_rad;
   estimate.fed_by = fed_by_;
-  estimate.integrity = integrity_of(estimate);
+  estimate.integrity = integrity_of(estimate, known);
   status_.valid = estimate.integrity.valid;
   status_.valid_estimates += status_.valid ? 1 : 0;
   listener.on_attitude(estimate);

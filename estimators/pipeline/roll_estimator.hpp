@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "estimators/pipeline/estimator.hpp"
+#include "estimators/pipeline/fix_timing.hpp"
 #include "estimators/pipeline/gyro_angle.hpp"
 #include "estimators/pipeline/options.hpp"
 #include "estimators/pipeline/rate_gate.hpp"
@@ -49,7 +50,7 @@ class RollEstimator final : public Estimator {
   bool knows_axis(measurement::Stamp at) const;
   void judge();
   void emit(EstimateListener& listener);
-  Integrity integrity_of(const AttitudeEstimate& estimate) const;
+  Integrity integrity_of(const AttitudeEstimate& estimate, double known_variance) const;
 
   std::uint16_t index_, imu_, gnss_;
   RollOptions options_;
@@ -58,6 +59,7 @@ class RollEstimator final : public Estimator {
   measurement::Stamp epoch_{};  ///< the last one that was used
   roll::AllSatellites filter_;
   RateGate gate_;
+  FixTiming timing_;
   Trust trust_;  ///< of the satellites in the roll, and of findings in its devices
   bool imu_doubted_ = false, gnss_doubted_ = false;  ///< by a finding
   std::optional<measurement::Stamp> contradicted_;   ///< the last time that the signals did

@@ -5,6 +5,13 @@
 
 namespace drydock::roll {
 
+namespace {
+
+/// What the windows say below this many sigmas is nothing.
+constexpr double suspicion = 2.5;
+
+}  // namespace
+
 void RollWatch::add(const Evidence& epoch, double dt_s) {
   for (Window& window : windows_) {
     const double kept = std::exp(-dt_s / window.span_s);
@@ -25,9 +32,15 @@ const RollWatch::Window& RollWatch::loudest() const {
 
 double RollWatch::statistic() const { return loudest().statistic(); }
 
-double RollWatch::error_rad() const {
-  const Window& window = loudest();
-  return window.information > 0 ? window.score / window.information : 0;
+double RollWatch::error_rad() const { return loudest().error_rad(); }
+
+double RollWatch::suspected_variance() const {
+  double most = 0;
+  for (const Window& window : windows_) {
+    const double noise = std::pow(suspicion / window.statistic(), 2);  // share of the square
+    if (noise < 1) most = std::max(most, (1 - noise) * std::pow(window.error_rad(), 2));
+  }
+  return most;
 }
 
 }  // namespace drydock::roll

@@ -12,6 +12,13 @@ struct BridgedGap {
       : velocity_sigma_mps(5 * std::pow(seconds, 3) / 12),
         angle_sigma_rad(0.5 * std::pow(seconds, 3) / 12) {}
 
+  /// Of a turn that is not known by so much.
+  static BridgedGap of_turn(double angle_sigma_rad) {
+    BridgedGap gap(0);
+    gap.angle_sigma_rad = angle_sigma_rad;
+    return gap;
+  }
+
   double velocity_sigma_mps, angle_sigma_rad;
 };
 

@@ -62,6 +62,7 @@ Outcome ImuDrivenEstimator::take(const ImuSample& sample, EstimateListener& list
     return Outcome::refused;
   }
   if (verdict == ImuGate::Verdict::stepped) follow(gate_.step());
+  note(sample);
   use(without_step(sample), listener);
   return Outcome::accepted;
 }
@@ -103,11 +104,12 @@ void ImuDrivenEstimator::follow(const ImuStep& step) {
   force_step_ += step.force;
   if (!running()) return;
   loosen_biases(step.rate_sigma, step.force_sigma);
+  if (step.turn_sigma > 0) bridge(BridgedGap::of_turn(step.turn_sigma));
   if (witness_) witness_->loosen_biases(step.rate_sigma, step.force_sigma);
 }
 
 void ImuDrivenEstimator::judge(Stamp now) {
-  witness_trust_.judge(witness_ && witness_->contradicts(), now);
+  witness_trust_.judge((witness_ && witness_->contradicts()) || implausible(), now);
   motion_.judge(contradicted(), now);
   if (motion_.doubted(now) < diverged_after) return;
   ++status_.divergences;

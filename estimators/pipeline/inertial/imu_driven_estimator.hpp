@@ -54,6 +54,10 @@ class ImuDrivenEstimator : public Estimator {
   /// The biases of gyros (rad/s) and accelerometers (m/s2) may have changed by these sigmas, per
   /// axis. A filter with a covariance enlarges it here.
   virtual void loosen_biases(double rate_sigma, double force_sigma) = 0;
+  /// A sample that step() will use, without any step of the IMU taken off.
+  virtual void note(const measurement::ImuSample&) {}
+  /// True if the motion that the estimate gives contradicts it: no vehicle moves so.
+  virtual bool implausible() const { return false; }
   /// True if the innovations contradict the filter's covariance, of the motion or of the log.
   virtual bool contradicted() const { return false; }
   virtual bool log_contradicted() const { return false; }
@@ -101,8 +105,8 @@ class ImuDrivenEstimator : public Estimator {
   std::chrono::nanoseconds max_imu_gap_, max_speed_age_;
   ImuGate gate_;
   AlertLimits alert_;
-  Trust motion_, log_trust_, imu_trust_, witness_trust_;
-  bool imu_doubted_ = false;  ///< by a finding
+  Trust motion_, log_trust_, imu_trust_, witness_trust_;  ///< the last: also of implausible()
+  bool imu_doubted_ = false;                              ///< by a finding
   int diverged_in_a_row_ = 0;
   std::optional<Stamp> diverged_at_;
   Doubt doubt_;                                           ///< for the next start

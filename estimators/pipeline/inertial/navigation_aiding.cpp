@@ -120,6 +120,7 @@ Outcome NavigationEstimator::take(const measurement::ActuatorState& state, Estim
   known(state.bow_plane_rad, control_.delta_b, 1);
   known(state.propeller_radps, control_.u_c, options_.advance_m);
   filter_->control(control_);
+  if (vehicle_) vehicle_->control(control_, state.origin.valid_at);
   note_fed_by(*options_.actuators);
   return Outcome::accepted;
 }

@@ -60,6 +60,7 @@ NavigationEstimator::NavigationEstimator(Seat seat, const InertialOptions& optio
       gate_(pipeline.vehicle),
       alert_(pipeline.alert),
       filter_(make_aided_inertial(options)) {
+  if (options.method != InertialMethod::sensors) vehicle_.emplace(options.vehicle);
   // Until the first actuator state: rudder and planes at zero, propeller at the speed of the start.
   control_.u_c = (options_.start.body_to_ned.conjugate() * options_.start.velocity_ned).x();
   filter_->control(control_);
@@ -80,6 +81,7 @@ Outcome NavigationEstimator::take(const ImuSample& sample, EstimateListener& lis
   }
   far_behind_ = 0;
   if (!passes_gate(sample)) return Outcome::refused;
+  noise_.add(sample);
   const ImuSample used = without_step(sample);
   if (last_) {
     go_on(used, listener);
@@ -105,6 +107,7 @@ bool NavigationEstimator::passes_gate(const ImuSample& sample) {
   rate_step_ += step.rate;
   force_step_ += step.force;
   filter_->loosen_biases(step.rate_sigma, step.force_sigma);
+  filter_->loosen(0, step.turn_sigma);
   return true;
 }
 
@@ -157,7 +160,9 @@ void NavigationEstimator::add(const Vector3d& rate, const Vector3d& force,
   // the change of the rate has no error.
   const Vector3d& arm = options_.imu_lever;
   const Vector3d by_lever = rate_change.cross(arm) + dt * rate.cross(rate.cross(arm));
-  filter_->add_imu(dt * rate, dt * force - by_lever, dt);
+  const Vector3d at_origin = dt * force - by_lever;
+  filter_->add_imu(dt * rate, at_origin, dt);
+  if (vehicle_) vehicle_->add_imu(dt * rate, at_origin, rate, dt);
 }
 
 void NavigationEstimator::end_step_if_due(EstimateListener& listener) {
@@ -166,6 +171,7 @@ void NavigationEstimator::end_step_if_due(EstimateListener& listener) {
   const bool full = now_ - step_began_ >= measurement::from_seconds(step_s) - half;
   if (now_ == step_began_ || (!full && std::ranges::none_of(waiting_, is_due))) return;
   filter_->step();
+  widen_by_noise(seconds(now_ - step_began_));
   step_began_ = now_;
   for (const Aiding& aiding : waiting_)
     if (is_due(aiding)) apply(aiding, listener);
@@ -173,6 +179,17 @@ void NavigationEstimator::end_step_if_due(EstimateListener& listener) {
   filter_->settle();
   judge();
   emit(listener);
+}
+
+// Noise beyond that of the filter's options, which its covariance does not contain.
+void NavigationEstimator::widen_by_noise(double dt) {
+  const auto& sheet = options_.navigation;
+  const double period = options_.imu_period_s;
+  const double angle =
+      beyond_sheet(noise_.rate_variance() * period, std::pow(sheet.angle_noise_rad, 2));
+  const double velocity =
+      beyond_sheet(noise_.force_variance() * period, std::pow(sheet.velocity_noise_mps, 2));
+  if (angle > 0 || velocity > 0) filter_->loosen(std::sqrt(velocity * dt), std::sqrt(angle * dt));
 }
 
 void NavigationEstimator::apply(const Aiding& aiding, EstimateListener& listener) {
@@ -228,11 +245,12 @@ void NavigationEstimator::judge() {
 Integrity NavigationEstimator::integrity_of(const NavigationEstimate& estimate) const {
   const Eigen::Matrix3d angles = euler_covariance(estimate);
   const auto& p = estimate.covariance;
-  Integrity integrity{.valid = aiding_.settled(now_) && imu_trust_.settled(now_),
-                      .roll_bound_rad = bound_of(angles(0, 0)),
-                      .pitch_bound_rad = bound_of(angles(1, 1)),
-                      .heading_bound_rad = bound_of(angles(2, 2)),
-                      .horizontal_bound_m = bound_of(p(0, 0) + p(1, 1))};
+  Integrity integrity{
+      .valid = aiding_.settled(now_) && imu_trust_.settled(now_) && vehicle_trust_.settled(now_),
+      .roll_bound_rad = bound_of(angles(0, 0)),
+      .pitch_bound_rad = bound_of(angles(1, 1)),
+      .heading_bound_rad = bound_of(angles(2, 2)),
+      .horizontal_bound_m = bound_of(p(0, 0) + p(1, 1))};
   // These comparisons are false for NaN too.
   integrity.valid &= integrity.roll_bound_rad <= alert_.attitude_rad &&
                      integrity.pitch_bound_rad <= alert_.attitude_rad &&
@@ -249,6 +267,10 @@ void NavigationEstimator::emit(EstimateListener& listener) {
   estimate.valid_at = now_;
   estimate.estimator = index_;
   filter_->fill(estimate);
+  if (vehicle_) {
+    vehicle_->step(estimate, filter_->gyro_bias());
+    vehicle_trust_.judge(vehicle_->contradicts(), now_);
+  }
   estimate.fed_by = fed_by_;
   estimate.integrity = integrity_of(estimate);
   status_.valid = estimate.integrity.valid;

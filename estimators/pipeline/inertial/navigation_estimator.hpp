@@ -8,7 +8,9 @@
 #include "estimators/pipeline/imu_gate.hpp"
 #include "estimators/pipeline/inertial/aided_inertial.hpp"
 #include "estimators/pipeline/inertial/innovation_watch.hpp"
+#include "estimators/pipeline/inertial/vehicle_witness.hpp"
 #include "estimators/pipeline/options.hpp"
+#include "estimators/pipeline/sample_noise.hpp"
 #include "estimators/pipeline/trust.hpp"
 
 namespace drydock::pipeline {
@@ -62,6 +64,7 @@ class NavigationEstimator final : public Estimator {
   void note_fed_by(std::uint16_t device) { fed_by_ |= std::uint32_t{1} << device; }
   bool passes_gate(const measurement::ImuSample& sample);
   measurement::ImuSample without_step(const measurement::ImuSample& sample) const;
+  void widen_by_noise(double dt);
   void judge();
   Integrity integrity_of(const NavigationEstimate& estimate) const;
   Outcome wait_for_step(const Aiding& aiding);
@@ -81,7 +84,9 @@ class NavigationEstimator final : public Estimator {
   Eigen::Vector3d rate_step_ = Eigen::Vector3d::Zero();   ///< of the IMU, since the start
   Eigen::Vector3d force_step_ = Eigen::Vector3d::Zero();  ///< likewise
   InnovationWatch watch_;
-  Trust aiding_, state_, imu_trust_;
+  std::optional<VehicleWitness> vehicle_;  ///< empty: the method has no vehicle
+  SampleNoise noise_;
+  Trust aiding_, state_, imu_trust_, vehicle_trust_;
   bool imu_doubted_ = false;  ///< by a finding
   std::unique_ptr<AidedInertial> filter_;
   hydrodynamics::Control control_;

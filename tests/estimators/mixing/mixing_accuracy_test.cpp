@@ -36,6 +36,26 @@ TEST(MixingAccuracy, WithoutGainsAFreeGyroDrifts) {
   EXPECT_NEAR(after({0, 1e-4, 0, 0}, 0, 0, 0, 100), 1e-2, 2e-6);
 }
 
+TEST(MixingAccuracy, NoiseBeyondThatOfTheSensorCountsAsItsOwn) {
+  // q^2 and 3 q^2 more are the loop of a gyro with 2 q: sigma = 2 q / sqrt(2 K1).
+  constexpr double q = 1e-3;
+  MixingAccuracy accuracy({0, 0, q, 0});
+  accuracy.start(false);
+  for (double t = 0; t < 400; t += dt) {
+    accuracy.step(0.1, 0, 0, dt);
+    accuracy.add_gyro_noise(3 * q * q, dt);
+  }
+  EXPECT_NEAR(std::sqrt(accuracy.variance()), 2 * q / std::sqrt(0.2), 4e-6);
+}
+
+TEST(MixingAccuracy, AgainstItsVerticalItIsNotOffByTheVerticalsError) {
+  MixingAccuracy accuracy({2e-3, 0, 1e-4, 0.1});
+  accuracy.start(true);
+  EXPECT_NEAR(accuracy.variance_to_vertical(), 0, 1e-15);
+  for (double t = 0; t < 400; t += dt) accuracy.step(0.1, 0, 0, dt);
+  EXPECT_NEAR(std::sqrt(accuracy.variance_to_vertical()), 1e-4 / std::sqrt(0.2), 1e-6);
+}
+
 TEST(MixingAccuracy, AStartByAccelerometersHasTheirErrorFromTheFirst) {
   MixingAccuracy accuracy({2e-3, 0, 0, 0.1});
   accuracy.start(true);

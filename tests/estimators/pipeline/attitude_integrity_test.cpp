@@ -58,6 +58,26 @@ TEST_P(EveryAttitude, IsNotMovedBySpikesOfAGyro) {
   EXPECT_LT(bench.tilt(), 0.1 * one_degree);
 }
 
+TEST(MixingIntegrity, AGyroThatDriftsMakesItInvalidBeforeItIsFiveSigmasWrongForTwoSeconds) {
+  for (const double drift_degps2 : {0.025, 0.05, 0.15}) {
+    Ahead bench(mixing_kind());
+    bench.run(120);
+    ASSERT_TRUE(bench.valid());
+    double wrong_s = 0, longest_s = 0;
+    for (int i = 0; i < 200; ++i) {
+      bench.rate_error.x() += 0.1 * drift_degps2 * one_degree;
+      bench.run(0.1);
+      const auto& now = bench.estimates.all.back();
+      const bool wrong =
+          now.integrity.valid && std::abs(now.roll_rad) > 5 * std::sqrt(now.covariance(0, 0));
+      wrong_s = wrong ? wrong_s + 0.1 : 0;
+      longest_s = std::max(longest_s, wrong_s);
+    }
+    EXPECT_LT(longest_s, 2) << drift_degps2;
+    EXPECT_FALSE(bench.valid()) << drift_degps2;
+  }
+}
+
 TEST_P(EveryAttitude, TakesAStepOfAGyroAsItsBiasAndIsValidAgain) {
   Ahead bench(kind());
   bench.run(60);

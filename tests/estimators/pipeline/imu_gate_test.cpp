@@ -66,6 +66,21 @@ TEST(ImuGate, RefusesSingleWildRatesAndForcesAndTakesTheNextSample) {
   }
 }
 
+TEST(ImuGate, TakesSamplesThatGoOnToLeapForNoiseAndNoStep) {
+  // The eighth sample elsewhere ends the run. Those of a step are as quiet as before it; these
+  // change by .012 rad/s each time, six times the usual .002.
+  constexpr double leap = 10 * degree, restless = 0.006;
+  Sway sway;
+  sway.run(10);
+  for (int i = 0; i < 7; ++i)
+    ASSERT_EQ(sway.next({leap + (i % 2 ? restless : -restless), 0, 0}), Verdict::wild) << i;
+  ASSERT_EQ(sway.next({leap + restless, 0, 0}), Verdict::stepped);
+  const ImuStep& step = sway.gate.step();
+  EXPECT_EQ(step.rate, Eigen::Vector3d(Eigen::Vector3d::Zero()));
+  EXPECT_EQ(step.rate_sigma, 0);
+  EXPECT_NEAR(step.turn_sigma, leap * 0.08 / 2, 0.1 * leap * 0.08 / 2);  // over .08 s
+}
+
 TEST(ImuGate, RefusesWhatNoVehicleCanDoHoweverLongItLasts) {
   Sway sway;
   sway.run(10);

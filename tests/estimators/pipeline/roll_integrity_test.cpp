@@ -6,6 +6,7 @@
 #include <random>
 
 #include "estimators/frame/attitude.hpp"
+#include "estimators/frame/geodetic.hpp"
 #include "tests/estimators/pipeline/rocket.hpp"
 
 namespace drydock::pipeline::roll_integrity_test {
@@ -112,6 +113,29 @@ TEST(RollIntegrity, AGyroThatStandsStillLosesTheRollAndFindsItAgain) {
   EXPECT_LT(still.wrong_while_valid_s(rocket), 2);
   EXPECT_LT(still.largest_error_deg(rocket, fault_until_ms + 30'000), 2);
   EXPECT_GT(still.valid_share(fault_until_ms + 30'000), 0.99);
+}
+
+TEST(RollIntegrity, AReceiverThatIsLateByAConstantTimeMakesTheRollInvalid) {
+  // At 90 deg/s .25 s are 22 degrees, and no signal tells: all of them are of the earlier roll.
+  Rocket rocket;
+  Flown late;
+  auto pipeline = *make_pipeline(test::rolling(), late.estimates);
+  const auto start = frame::Position{0.6, 2.2, 1000};
+  for (int t = 0; t <= 60'000; t += 10) {
+    pipeline.receive(rocket.imu(t));
+    if (t % 100 != 0) continue;
+    const int then = t < fault_from_ms ? t : t - 250;
+    auto fix = rocket.fix(t);
+    const auto place = frame::at_ned_offset(start, 0.001 * then * *fix.velocity_ned);
+    fix.position = {place.latitude_rad, place.longitude_rad};
+    fix.ellipsoidal_height_m = place.height_m;
+    pipeline.receive(fix);
+    auto sky = rocket.sky(then);
+    sky.origin.valid_at = test::at_ms(t);
+    pipeline.receive(sky);
+  }
+  EXPECT_GT(late.largest_error_deg(rocket, fault_from_ms + 10'000), 15);
+  EXPECT_LT(late.wrong_while_valid_s(rocket), 0.2);
 }
 
 TEST(RollIntegrity, ADoubtedDeviceMakesTheEstimatesInvalidUntilItIsSound) {

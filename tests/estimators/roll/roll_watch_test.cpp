@@ -41,6 +41,40 @@ TEST(RollWatch, AnErrorOfTwoDegreesIsSeenAfterTheSecondsThatItNeeds) {
   EXPECT_EQ(epochs, std::ceil(n));
 }
 
+TEST(RollWatch, SuspectsAnErrorBeforeItContradictsIt) {
+  // A window with z sigmas and the error e suspects e^2 (1 - 2.5^2 / z^2). Many epochs of one error
+  // make the longest window the loudest.
+  constexpr double error = 0.006;
+  RollWatch watch;
+  for (int i = 0; i < 10'000; ++i) watch.add({error * information, information}, dt);
+  const double k = std::exp(-dt / longest_s);
+  const double z = error / epoch_sigma * std::sqrt((1 + k) / (1 - k));
+  ASSERT_LT(z, RollWatch::limit / 2);
+  EXPECT_EQ(watch.suspected_variance(), 0);
+
+  watch.clear();
+  for (int i = 0; i < 10'000; ++i) watch.add({1.7 * error * information, information}, dt);
+  ASSERT_FALSE(watch.contradicts());
+  ASSERT_GT(1.7 * z, 2.5);
+  EXPECT_NEAR(watch.suspected_variance(),
+              std::pow(1.7 * error, 2) * (1 - std::pow(2.5 / (1.7 * z), 2)), 1e-12);
+}
+
+TEST(RollWatch, OfARightFilterItSeldomSuspects) {
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> score(0, std::sqrt(information));
+  RollWatch watch;
+  int suspects = 0;
+  constexpr int epochs = 360'000;
+  for (int i = 0; i < epochs; ++i) {
+    watch.add({score(random), information}, dt);
+    suspects += watch.suspected_variance() > 0 ? 1 : 0;
+  }
+  // Two-sided 2.5 sigmas: .0124 of the time for one window, at most four times that for four.
+  EXPECT_GT(suspects, 0.0124 * epochs);
+  EXPECT_LT(suspects, 4 * 0.0124 * epochs);
+}
+
 TEST(RollWatch, OfARightFilterItSeldomSaysAnything) {
   std::mt19937_64 random(1);
   std::normal_distribution<double> score(0, std::sqrt(information));
