@@ -15,6 +15,7 @@ constexpr double unknown_acceleration_mps2 = 0.5, unknown_speed_mps = 10;
 constexpr double most_unknown_mps2 = 1;
 /// A specific force so far from gravity is an acceleration as large at least: no vehicle that
 /// floats or stands has it, and one that falls shows no direction of gravity.
+/// The acceleration by a receiver is made with the pitch: at the speed of a flight it errs by more.
 constexpr double falls_mps2 = units::standard_gravity / 2;
 constexpr double acceleration_share = 0.15, change_share = 1, acceleration_memory_s = 2;
 /// A gyro's fault has turned the level; when that no longer goes on, the level begins anew.
@@ -90,9 +91,10 @@ void Levels::step(const Moment& moment, const std::optional<Eigen::Vector3d>& ac
   usual_acceleration_ +=
       (known - usual_acceleration_) * std::min(1.0, moment.dt / acceleration_memory_s);
   const double of_known = acceleration_share * known.norm() + change_share * change;
+  const bool flies = known.norm() > falls_mps2;
   for (std::size_t i = 0; i < units_.size(); ++i) {
     InertialUnit& unit = tracks_.units[i];
-    if (!unit.running() || (!acceleration && falls(unit))) continue;
+    if (!unit.running() || (!moment.over_ground && (flies || falls(unit)))) continue;
     const double sigma = acceleration ? of_known : unknown_acceleration(unit);
     const bool at_fault = std::exchange(units_[i].at_fault, false);
     const bool pulls = (acceleration || sigma < most_unknown_mps2) && !at_fault;

@@ -26,7 +26,8 @@ class Vehicle {
       sample.angular_rate = Eigen::Vector3d{0, 0, turn_radps} + bias;
       sample.specific_force = {0, speed_mps * turn_radps, fall_mps2_ - units::standard_gravity};
       tracks_.units[0].take(sample);
-      if (++samples_ % 20 == 0) step(Eigen::Vector3d{0, speed_mps * turn_radps, fall_mps2_});
+      if (++samples_ % 20 == 0)
+        step(Eigen::Vector3d{0, speed_mps * turn_radps, fall_mps2_} + misread_);
     }
   }
 
@@ -34,6 +35,9 @@ class Vehicle {
   void knows_velocity(bool known) { knows_velocity_ = known; }
   /// From now on the vehicle is accelerated downwards.
   void fall(double mps2) { fall_mps2_ = mps2; }
+
+  /// From now on what the other device tells of the acceleration is off by this.
+  void misread(const Eigen::Vector3d& mps2) { misread_ = mps2; }
 
   double most_suspicion() const { return most_suspicion_; }
 
@@ -50,6 +54,7 @@ class Vehicle {
   Tracks tracks_{{}, {}, {}, {InertialUnit(0, {.rate_hz = 100})}, {}, {}, {}};
   Levels levels_{tracks_};
   bool knows_velocity_;
+  Eigen::Vector3d misread_ = Eigen::Vector3d::Zero();
   double t_s_ = 0, most_suspicion_ = 0, fall_mps2_ = 0;
   long samples_ = 0;
 };
@@ -100,6 +105,18 @@ TEST(Levels, DoNotDoubtAUnitThatFallsWhenNobodyKnowsTheSpeedAnyMore) {
   vehicle.go(17, 0, none, 300);
   vehicle.knows_velocity(true);
   vehicle.go(26, 0, none, 300);
+  EXPECT_LT(vehicle.most_suspicion(), 0.5);
+}
+
+/// Of 700 m/s at 45 degrees, a pitch that errs by 6 deg/s makes 70 m/s2.
+TEST(Levels, DoNotDoubtAUnitThatFallsForTheAccelerationOfAReceiver) {
+  Vehicle vehicle;
+  vehicle.fall(8.8);
+  vehicle.go(20, 0, none, 700);
+  vehicle.misread({-70, 0, 0});
+  vehicle.go(5, 0, none, 700);
+  vehicle.misread(none);
+  vehicle.go(20, 0, none, 700);
   EXPECT_LT(vehicle.most_suspicion(), 0.5);
 }
 
