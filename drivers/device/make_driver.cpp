@@ -1,6 +1,8 @@
 #include "drivers/device/make_driver.hpp"
 
 #include <array>
+#include <boost/throw_exception.hpp>
+#include <stdexcept>
 
 #include "drivers/device/described/described_driver.hpp"
 #include "drivers/device/described/described_frame_driver.hpp"
@@ -127,6 +129,10 @@ boost::container::static_vector<ProtocolEntry, 16> protocols_of(Kind kind) {
     if (row.kind == kind) found.push_back(row.protocol);
   }
   return found;
+}
+
+void throw_exception_from_error(const DriverError& error, const boost::source_location& where) {
+  boost::throw_exception(std::invalid_argument(error.message), where);
 }
 
 boost::system::result<ByteDriverPtr, DriverError> make_byte_driver(const DriverOptions& options) {

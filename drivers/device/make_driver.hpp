@@ -17,6 +17,10 @@ struct DriverError {
   std::string message;
 };
 
+/// Called by result::value() if there is no driver; throws std::invalid_argument.
+[[noreturn]] void throw_exception_from_error(const DriverError& error,
+                                             const boost::source_location& where);
+
 using wire::Travels;
 
 struct ProtocolEntry {

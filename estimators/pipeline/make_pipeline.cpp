@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/throw_exception.hpp>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "estimators/pipeline/pipeline.hpp"
@@ -33,6 +35,10 @@ std::string fault_of_devices(std::initializer_list<std::optional<std::uint16_t>>
   const auto in_range = [](const auto& device) { return device.value_or(0) < max_devices; };
   if (std::ranges::all_of(devices, in_range)) return {};
   return fmt::format("device index out of range, allowed: 0 to {}", max_devices - 1);
+}
+
+void throw_exception_from_error(const PipelineError& error, const boost::source_location& where) {
+  boost::throw_exception(std::invalid_argument(error.message), where);
 }
 
 boost::system::result<Pipeline, PipelineError> make_pipeline(const PipelineOptions& options,

@@ -96,6 +96,10 @@ struct PipelineError {
   std::string message;
 };
 
+/// Called by result::value() if there is no pipeline; throws std::invalid_argument.
+[[noreturn]] void throw_exception_from_error(const PipelineError& error,
+                                             const boost::source_location& where);
+
 boost::system::result<Pipeline, PipelineError> make_pipeline(const PipelineOptions& options,
                                                              EstimateListener& listener);
 

@@ -23,8 +23,7 @@ int main(int, char** argv) {
   options.driver.kind = device::Kind::dvl;
   options.driver.protocol = "pd0";
   std::vector<std::unique_ptr<device::Device>> devices;
-  auto dvl = device::Device::make(options);
-  devices.push_back(std::move(*dvl));
+  devices.push_back(device::Device::make(options).value());  // throws if no driver speaks so
   shell::RealTime shell(io, std::move(devices), printer);
   shell.start();
   io.run();

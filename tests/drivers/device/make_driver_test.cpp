@@ -31,5 +31,14 @@ TEST(MakeDriver, EveryProtocolHasADriverForEachOfItsKindsAndNoOther) {
   }
 }
 
+TEST(MakeDriver, WhoAsksForTheValueOfARefusalGetsItsLineAsAnException) {
+  DriverOptions options;
+  options.kind = Kind::dvl;
+  options.protocol = "pd7";
+  EXPECT_THAT([&] { make_byte_driver(options).value(); },
+              testing::ThrowsMessage<std::invalid_argument>(
+                  testing::HasSubstr("with protocol \"pd7\" over bytes; allowed: ")));
+}
+
 }  // namespace
 }  // namespace drydock::device::make_driver_test

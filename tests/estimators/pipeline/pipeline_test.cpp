@@ -192,5 +192,10 @@ TEST(MakePipeline, SaysInOneLineWhatIsWrongAndWhatIsAllowed) {
             "reorder window below 0 or capacity 0, allowed: 0 s or more, 1 or more");
 }
 
+TEST(MakePipeline, WhoAsksForTheValueOfARefusalGetsItsLineAsAnException) {
+  Estimates estimates;
+  EXPECT_THROW(make_pipeline(moving(milliseconds{-1}), estimates).value(), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace drydock::pipeline
