@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "drivers/diagnosis/monitors/raster.hpp"
+#include "drivers/diagnosis/monitors/thinned_rate.hpp"
 
 namespace drydock::diagnosis {
 
@@ -13,6 +14,7 @@ class ArrivalPattern {
  public:
   void add(const Raster::Arrival& arrival, double period_s) {
     crowded_ = crowded_ << 1 | (arrival.step == Step::crowded ? 1U : 0U);
+    note_thinned(arrival);
     if (arrival.step == Step::crowded) return;
     intervals_[next_++ % intervals_.size()] = arrival.interval_s;
     const bool pause = arrival.interval_s > long_interval * period_s;
@@ -31,11 +33,11 @@ class ArrivalPattern {
     return std::popcount(crowded_ & 0xFFU) >= fewest_of_8 && pauses_in_a_row_ >= fewest &&
            alike(pauses_, 0.03) && fewest * pauses_[0] > shortest_s;
   }
-  /// All intervals of the last time are longer (or shorter) than the period by one factor. 1: they
-  /// are not.
+  /// All intervals of the last time are longer (or shorter) than the period by one factor, each of
+  /// them or in turn. 1: they are not.
   double slower(double period_s) const {
     constexpr double shortest_s = 0.5;
-    return other_s_ > shortest_s ? intervals_[0] / period_s : 1;
+    return other_s_ > shortest_s ? intervals_[0] / period_s : thinned_;
   }
   /// Length of the last pauses together.
   double pauses_s() const { return static_cast<double>(pauses_.size()) * pauses_[0]; }
@@ -49,10 +51,22 @@ class ArrivalPattern {
     return most - least < spread * most;
   }
 
+  /// Only what is missing tells of it.
+  void note_thinned(const Raster::Arrival& arrival) {
+    thinned_ = 1;
+    if (arrival.step == Step::crowded || arrival.step == Step::odd) return thinned_rate_.clear();
+    thinned_rate_.add(arrival.slots);
+    if (arrival.step != Step::missing) return;
+    const double times = thinned_rate_.times();
+    if (times > 1 + least_change) thinned_ = times;
+  }
+
   std::uint32_t crowded_ = 0;  ///< one bit a message, the latest lowest
   std::array<double, 6> intervals_{};
   std::array<double, 4> pauses_{};
   std::size_t next_ = 0, next_pause_ = 0;
+  ThinnedRate thinned_rate_;
+  double thinned_ = 1;       ///< as of the latest message
   double other_s_ = 0;       ///< how long all intervals have been alike and not the period
   int pauses_in_a_row_ = 0;  ///< with nothing on the raster between them
 };

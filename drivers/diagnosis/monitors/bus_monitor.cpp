@@ -1,9 +1,9 @@
 #include "drivers/diagnosis/monitors/bus_monitor.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
+#include "drivers/diagnosis/monitors/bus_management.hpp"
 #include "drivers/wire/can/can_bits.hpp"
 #include "drivers/wire/j1939/j1939.hpp"
 
@@ -17,47 +17,10 @@ constexpr std::uint32_t bus_off_class = 0x040;
 /// grows by less when a node joins.
 constexpr double largest_new_share = 0.2;
 constexpr std::chrono::milliseconds load_window{500};
-/// Strange frames that come at least so often, and at least so many of them, are no accident.
-constexpr std::chrono::seconds strange_pause{10};
-constexpr unsigned fewest_strange = 3;
-/// The next frame behind a strange one, if it comes so soon, is of the node that sent both.
-constexpr std::chrono::milliseconds soon{3};
 /// A bus without a pause for so long holds frames up.
 constexpr std::chrono::milliseconds long_busy{3};
-
-/// A bus with several nodes that carries nothing for so long, and for so many usual pauses, was not
-/// heard: none of its nodes is to blame.
-constexpr double shortest_deafness_s = 0.5, deafness_pauses = 20;
-constexpr double pause_memory = 64;  // frames
-
-std::uint32_t key_of(const wire::CanFrame& frame) {
-  constexpr std::uint32_t extended_bit = 0x80000000;
-  return frame.extended ? frame.id | extended_bit : frame.id;
-}
-
-std::uint64_t size_bit(const wire::CanFrame& frame) {
-  return std::uint64_t{1} << std::min<unsigned>(frame.size, 63);
-}
-
-/// Only to be compared: the order of the bytes is the computer's.
-std::uint64_t first_bytes_of(const wire::CanFrame& frame) {
-  std::uint64_t bytes = 0;
-  std::memcpy(&bytes, frame.data.data(), sizeof bytes);
-  return bytes;
-}
-
-/// Frames by which nodes settle their addresses and states. They come at any time.
-bool manages(const wire::CanFrame& frame, wire::Network network) {
-  if (network == wire::Network::j1939) {
-    if (!frame.extended) return false;
-    const auto pgn = wire::j1939::parse_identifier(frame.id).pgn;
-    return pgn == wire::j1939::address_claim_pgn || pgn == wire::j1939::request_pgn;
-  }
-  // CiA 301: NMT 000h is the only one that a babbling node also uses, so it is none of these.
-  const std::uint32_t function = frame.id & 0x780;
-  return network == wire::Network::canopen && !frame.extended &&
-         (function == 0x080 || function == 0x580 || function == 0x600 || function == 0x700);
-}
+/// A slope is that of some blocks, and is told for a while.
+constexpr auto slope_memory = RateWatch::block * (RateWatch::blocks + 2);
 
 }  // namespace
 
@@ -76,18 +39,26 @@ void BusMonitor::take(const wire::CanFrame& frame, Stamp at, HostLate host) {
   note_deafness(at);
   note_busy(frame, at);
   off_ = false;
-  take_claim(frame, at);
-  judge_identifier(frame, at);
+  if (addresses_.take(frame, at)) excuse_robbed();
+  take_data(frame, at);
 }
 
-/// What its nodes would have said meanwhile is not missing. What is usual is learned from time that
+/// A node that had to leave its address is known under it.
+void BusMonitor::take_data(const wire::CanFrame& frame, Stamp at) {
+  const std::uint32_t id = addresses_.id_at_home(frame);
+  if (id == frame.id) return judge_identifier(frame, at);
+  wire::CanFrame at_home = frame;
+  at_home.id = id;
+  judge_identifier(at_home, at);
+}
+
+/// Where it has several nodes none of them is to blame, and what they would have said meanwhile is
+/// not missing. What is usual is learned from time that
 /// was heard.
 void BusMonitor::note_deafness(Stamp at) {
   if (last_ == Stamp{}) return;
   const double pause_s = measurement::seconds(at - last_);
-  const bool long_pause = pause_s > std::max(shortest_deafness_s, deafness_pauses * usual_pause_s_);
-  usual_pause_s_ += (std::min(pause_s, shortest_deafness_s) - usual_pause_s_) / pause_memory;
-  if (!long_pause) return;
+  if (!silence_.is_deaf(pause_s)) return;
   if (last_ - *first_ < learning) *first_ += at - last_;
   if (nodes_.size() > 1)
     for (Node& node : nodes_) node.frames.excuse_pause();
@@ -110,26 +81,10 @@ void BusMonitor::take_error(const wire::CanFrame& frame, Stamp at) {
   off_ = off;
 }
 
-void BusMonitor::take_claim(const wire::CanFrame& frame, Stamp at) {
-  const auto identifier = wire::j1939::identify(frame);
-  if (!identifier || identifier->pgn != wire::j1939::address_claim_pgn || frame.size != 8) return;
-  const std::uint64_t name = first_bytes_of(frame);
-  const auto first = std::ranges::find(claims_, identifier->source, &Claim::address);
-  if (first == claims_.end()) {
-    if (claims_.size() < claims_.capacity()) claims_.push_back({identifier->source, name});
-    return;
-  }
-  Node* const node = node_at(identifier->source);
-  if (node == nullptr) return;
-  const bool robbed = name != first->name;
-  if (robbed && !node->robbed) node->robbed_since = at;
-  node->robbed = robbed;
-}
-
 /// A rig that states no address takes the node that sends; two such devices cannot be told apart.
-BusMonitor::Node* BusMonitor::node_at(std::uint8_t address) {
-  Node* unstated = nullptr;
-  for (Node& node : nodes_) {
+const BusMonitor::Node* BusMonitor::node_at(std::uint8_t address) const {
+  const Node* unstated = nullptr;
+  for (const Node& node : nodes_) {
     if (node.expected.protocol.network != wire::Network::j1939) continue;
     if (node.expected.address == address) return &node;
     if (node.expected.address != 0) continue;
@@ -137,6 +92,15 @@ BusMonitor::Node* BusMonitor::node_at(std::uint8_t address) {
     unstated = &node;
   }
   return sends_from(address) ? unstated : nullptr;
+}
+
+/// Another NAME claims its address since then.
+std::optional<Stamp> BusMonitor::robbed_since(const Node& node) const {
+  if (node.expected.protocol.network != wire::Network::j1939) return {};
+  for (const auto& owner : addresses_.owners())
+    if (owner.lost && addresses_.owner_of(owner.home) == &owner && node_at(owner.home) == &node)
+      return owner.lost;
+  return {};
 }
 
 bool BusMonitor::sends_from(std::uint8_t address) const {
@@ -159,39 +123,21 @@ bool BusMonitor::has_a_known_sender(const wire::CanFrame& frame) const {
 void BusMonitor::judge_identifier(const wire::CanFrame& frame, Stamp at) {
   if (!is_usual(frame, at)) {
     new_bits_ += wire::wire_bits(frame);
-    // A node that joins repeats its identifiers; noise does not.
-    if (!is_repeated(key_of(frame)) && !has_a_known_sender(frame)) note_strange(at);
+    if (!strange_.is_repeated(key_of(frame)) && !has_a_known_sender(frame)) note_strange(at);
     return;
   }
-  if (behind_strange_ && at - strange_at_ < soon)
+  if (strange_.come_before(at))
     if (Node* node = owner_of(frame)) ++node->follows_strange;
-  behind_strange_ = false;
-}
-
-/// Frames mostly follow each other as they did the last time. Null: it is not usual.
-BusMonitor::Usual* BusMonitor::usual_of(std::uint32_t key) {
-  if (usual_.empty()) return nullptr;
-  std::size_t& next = usual_[latest_].next;
-  if (usual_[next].key != key) {
-    const auto found = std::ranges::find(usual_, key, &Usual::key);
-    if (found == usual_.end()) return nullptr;
-    next = static_cast<std::size_t>(found - usual_.begin());
-  }
-  latest_ = next;
-  return &usual_[next];
 }
 
 bool BusMonitor::is_usual(const wire::CanFrame& frame, Stamp at) {
-  if (Usual* const usual = usual_of(key_of(frame))) {
+  if (Usual* const usual = usual_.find(key_of(frame))) {
     judge_size(*usual, frame, at);
     watch_times(*usual, frame, at);
     return true;
   }
-  if (at - *first_ < learning) {
-    too_many_ = usual_.size() == usual_.capacity();
-    if (!too_many_) usual_.push_back({key_of(frame), size_bit(frame), 0, 0});
-  }
-  if (too_many_ || at - *first_ < learning) return true;
+  if (at - *first_ < learning) usual_.add(frame);
+  if (usual_.too_many() || at - *first_ < learning) return true;
   return std::ranges::any_of(
       nodes_, [&](const Node& node) { return manages(frame, node.expected.protocol.network); });
 }
@@ -226,21 +172,9 @@ void BusMonitor::watch_times(Usual& usual, const wire::CanFrame& frame, Stamp at
                      .host = host_});
 }
 
-bool BusMonitor::is_repeated(std::uint32_t key) {
-  if (std::ranges::find(recent_, key + 1) != recent_.end()) return true;
-  recent_[next_recent_++ % recent_.size()] = key + 1;  // 0 stands for none
-  return false;
-}
-
 void BusMonitor::note_strange(Stamp at) {
-  if (at - strange_at_ > strange_pause) {
-    strange_ = 0;
-    strange_since_ = at;
-    for (Node& node : nodes_) node.follows_strange = 0;
-  }
-  ++strange_;
-  strange_at_ = at;
-  behind_strange_ = true;
+  if (!strange_.note(at)) return;
+  for (Node& node : nodes_) node.follows_strange = 0;
 }
 
 BusMonitor::Node* BusMonitor::owner_of(const wire::CanFrame& frame) {
@@ -262,9 +196,10 @@ void BusMonitor::look(Stamp now) {
   for (Node& node : nodes_) node.frames.look(now);
   look_at_drift(now);
   if (off_) tell_all(Sign::bus_off, off_since_, now, {1, 0, "bus-off", ""});
+  addresses_.look(now);
   for (const Node& node : nodes_)
-    if (node.robbed)
-      node.teller.tell(Sign::address_taken, node.robbed_since, now,
+    if (const auto since = robbed_since(node))
+      node.teller.tell(Sign::address_taken, *since, now,
                        {2, 1, "NAMEs that claim its address", ""});
   if (now - window_from_ >= load_window) look_at_load(now);
   look_at_strange(now);
@@ -280,33 +215,32 @@ void BusMonitor::look_at_load(Stamp now) {
   new_bits_ = 0;
 }
 
-/// A node that drifts pushes the frames of others about: the first that drifts is the one.
+/// A node that drifts pushes the frames of others about: the first that drifts is the one. What it
+/// did to them stays in their slopes for a while.
 void BusMonitor::look_at_drift(Stamp now) {
-  const bool goes_on = drifts_ != nullptr && drifts_->frames.drift(now);
-  if (!goes_on) drifts_ = nullptr;
+  if (drifts_ != nullptr && !drifts_->frames.drift(now)) drifts_ = nullptr;
   for (Node& node : nodes_)
-    if (drifts_ == nullptr && node.frames.drift(now)) drifts_ = &node;
-  if (drifts_ != nullptr)
-    drifts_->teller.tell(Sign::clock_drift, drifts_->frames.drift_since(), now,
-                         *drifts_->frames.drift(now));
+    if (drifts_ == nullptr && now >= node.pushed_until && node.frames.drift(now)) drifts_ = &node;
+  if (drifts_ == nullptr) return;
+  for (Node& node : nodes_)
+    if (&node != drifts_) node.pushed_until = now + slope_memory;
+  drifts_->teller.tell(Sign::clock_drift, drifts_->frames.drift_since(), now,
+                       *drifts_->frames.drift(now));
 }
 
 void BusMonitor::look_at_strange(Stamp now) {
-  if (strange_ < fewest_strange || strange_ == strange_told_) return;
-  strange_told_ = strange_;
-  const Amount amount{static_cast<double>(strange_), 0, "frames with identifiers seen once", ""};
+  if (!strange_.are_news()) return;
+  const Amount amount{static_cast<double>(strange_.count()), 0, "frames with identifiers seen once",
+                      ""};
   // A node that lost its address sends from others.
-  const auto robbed = std::ranges::find(nodes_, true, &Node::robbed);
+  const auto robbed = std::ranges::find_if(
+      nodes_, [&](const Node& node) { return robbed_since(node).has_value(); });
   if (robbed != nodes_.end())
-    return robbed->teller.tell(Sign::strange_frames, strange_since_, now, amount);
+    return robbed->teller.tell(Sign::strange_frames, strange_.since(), now, amount);
   const auto sender = std::ranges::max_element(nodes_, {}, &Node::follows_strange);
-  if (nodes_.size() > 1 && sender->follows_strange * 2 > strange_)
-    return sender->teller.tell(Sign::strange_frames, strange_since_, now, amount);
-  tell_all(Sign::strange_frames, strange_since_, now, amount);
-}
-
-void BusMonitor::tell_all(Sign sign, Stamp since, Stamp now, const Amount& amount) {
-  for (const Node& node : nodes_) node.teller.tell(sign, since, now, amount);
+  if (nodes_.size() > 1 && sender->follows_strange * 2 > strange_.count())
+    return sender->teller.tell(Sign::strange_frames, strange_.since(), now, amount);
+  tell_all(Sign::strange_frames, strange_.since(), now, amount);
 }
 
 }  // namespace drydock::diagnosis

@@ -47,10 +47,24 @@ TEST_F(BusThatIsWatched, HasTwoOwnersOfAnAddressThatTheRigDoesNotState) {
   };
   claim(35, 0xC0);
   alone.take(frame_of(id(127'257, 35), true), at_s(now));
-  claim(90, 0xC0);
-  claim(90, 0x80);
+  claim(90, 0xB0);
+  claim(90, 0x90);
   EXPECT_FALSE(signs.has(Sign::address_taken));
   claim(35, 0x80);
+  EXPECT_TRUE(signs.has(Sign::address_taken, depth));
+}
+
+TEST_F(BusThatIsWatched, HasANodeWithoutAnAddressAsLongAsItFindsNone) {
+  const auto claim = [&](std::uint8_t at, std::uint8_t name) {
+    wire::CanFrame frame = frame_of(id(wire::j1939::address_claim_pgn | 0xFF, at), true);
+    frame.data[7] = name;
+    monitor.take(frame, at_s(now));
+  };
+  claim(35, 0xC0);
+  claim(35, 0x80);
+  claim(254, 0xC0);  // it cannot claim
+  now += 60;
+  monitor.look(at_s(now));
   EXPECT_TRUE(signs.has(Sign::address_taken, depth));
 }
 

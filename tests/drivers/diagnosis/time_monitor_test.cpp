@@ -90,6 +90,37 @@ TEST_F(TenHertz, IsSlowWhenEverySecondMessageComes) {
   EXPECT_NEAR(signs.first(Sign::rate_low).limit, 10, 1e-6);  // Hz
 }
 
+/// One message in 1.5, 1.93 or 2.74: whole periods that follow a line.
+TEST_F(TenHertz, IsSlowWhenAFractionOfTheMessagesComes) {
+  for (const double times : {1.5, 1.93, 2.74}) {
+    for (int i = 0; i < 300; ++i) regular();
+    signs.all.clear();
+    const double from = now;
+    for (int i = 1; i <= 24; ++i) come(now = from + std::floor(i * times) / 10);
+    ASSERT_TRUE(signs.has(Sign::rate_low)) << times;
+    std::erase_if(signs.all, [](const Symptom& one) { return one.sign != Sign::rate_low; });
+    EXPECT_NEAR(signs.all.back().value, 10 / times, 0.3) << times;
+  }
+}
+
+/// Each message comes with the probability 0.4 to 0.9.
+TEST_F(TenHertz, IsNotSlowWhenMessagesAreLostAtRandom) {
+  std::mt19937_64 random(1);
+  int slow = 0, looks = 0;
+  for (const double share : {0.4, 0.6, 0.8, 0.9}) {
+    std::bernoulli_distribution comes(share);
+    for (int i = 0; i < 20'000; ++i) {
+      now += 0.1;
+      if (!comes(random)) continue;
+      signs.all.clear();
+      come(now);
+      ++looks;
+      slow += signs.has(Sign::rate_low) ? 1 : 0;
+    }
+  }
+  EXPECT_LT(slow, looks / 1000) << "of " << looks;
+}
+
 TEST_F(TenHertz, IsLateByTheHoleInItsRaster) {
   now += 0.5;
   for (int i = 0; i < 8; ++i) regular();
