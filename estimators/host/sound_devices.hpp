@@ -18,8 +18,9 @@ class SoundDevices final : public Follower {
   void on_finding(const diagnosis::Finding& finding) override {
     const auto& facts = diagnosis::facts_of(finding.cause);
     const auto kind = rig_.devices.at(finding.device).kind;
-    // A receiver's values are right at another time: a rolling airframe has turned meanwhile.
-    const bool mistimed = facts.mistimes && kind == measurement::Kind::gnss;
+    // Values are right at another time: the vehicle has turned and moved meanwhile.
+    const bool mistimed =
+        facts.mistimes && (kind == measurement::Kind::gnss || kind == measurement::Kind::attitude);
     if (!facts.misleads && !mistimed) return;
     if (kind == measurement::Kind::imu || mistimed)
       return pipeline_.doubt(finding.device, !finding.until);

@@ -1,6 +1,9 @@
 #include "estimators/pipeline/reckoning/reckoning_filter.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "estimators/navigation/innovation_window.hpp"
 
 namespace drydock::pipeline {
 
@@ -8,6 +11,10 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
 namespace {
+
+/// What was learned of heading and current is forgotten with this time constant: in the six hours
+/// in which a tide turns, two fifths of the variance come back. Chosen.
+constexpr double forgotten_after_s = 86'400;
 
 double square(double x) { return x * x; }
 
@@ -60,23 +67,40 @@ double ReckoningFilter::noise_mps(SpeedOver over) const {
   return over == SpeedOver::ground ? sigmas_.velocity_mps : sigmas_.water_speed_mps;
 }
 
-// Each speed counts for half of the intervals on both sides. Between two known speeds the speed
-// wanders as a Brownian bridge, whose integral has the variance q T^3 / 12.
-Vector2d ReckoningFilter::move(const Vector2d& mean, double dt, SpeedOver over) {
-  return way(mean, dt, over, square(sigmas_.wander) * std::pow(dt, 3) / 12);
+// Between two known speeds the speed wanders as a Brownian bridge, whose integral has the variance
+// q T^3 / 12; Brownian motion that ends or begins at a known speed has q T^3 / 3.
+double ReckoningFilter::wandered_between(double dt) const {
+  return square(sigmas_.wander) * std::pow(dt, 3) / 12;
 }
+double ReckoningFilter::wandered_behind(double dt) const { return 4 * wandered_between(dt); }
 
-// Brownian motion that ends at a known speed: the variance of its integral is q T^3 / 3.
-Vector2d ReckoningFilter::move_before(const Vector2d& first, double dt, SpeedOver over) {
-  return way(first, dt, over, square(sigmas_.wander) * std::pow(dt, 3) / 3);
-}
-
-Vector2d ReckoningFilter::way(const Vector2d& mean, double dt, SpeedOver over, double wandered) {
+// Each speed counts for half of the intervals on both sides.
+Vector2d ReckoningFilter::move(const Vector2d& mean, double dt, SpeedOver over,
+                               const WayNoise& noise) {
   Matrix6 transition = Matrix6::Identity();
   transition.topRows<2>() += dt * sensitivity(mean, over);
   covariance_ = transition * covariance_ * transition.transpose();
-  covariance_.diagonal().head<2>().array() += square(noise_mps(over) * dt) + wandered;
+  const double aside = square(noise.aside_mps) * dt * std::max(dt, noise.aside_s);
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    double& variance = covariance_(axis, axis);
+    variance = square(std::sqrt(variance) + noise.wrong_mps * dt) + square(noise_mps(over) * dt) +
+               noise.wandered_m2 + aside;
+  }
+  forget(dt);
   return dt * over_ground(mean, over);
+}
+
+// Heading and current are constants for a while only: what was learned of them goes back to what
+// was known at the start. What nothing has shown does not change.
+void ReckoningFilter::forget(double dt) {
+  const double share = 1 - std::exp(-2 * dt / forgotten_after_s);
+  const auto go_back = [&](Eigen::Index state, double sigma) {
+    double& variance = covariance_(state, state);
+    variance += share * std::max(0.0, square(sigma) - variance);
+  };
+  go_back(2, sigmas_.heading_rad);
+  go_back(4, sigmas_.current_mps);
+  go_back(5, sigmas_.current_mps);
 }
 
 Matrix2d ReckoningFilter::velocity_covariance(const Vector2d& measured, SpeedOver over) const {
@@ -86,32 +110,83 @@ Matrix2d ReckoningFilter::velocity_covariance(const Vector2d& measured, SpeedOve
 }
 
 // The heading has no part in it: both speeds are turned by the same one, and so is the current.
-void ReckoningFilter::compare(const Vector2d& ground, const Vector2d& water) {
+navigation::Innovations ReckoningFilter::compare(const Vector2d& ground, const Vector2d& water) {
   const double variance = square(sigmas_.velocity_mps) + square(sigmas_.water_speed_mps);
+  std::array<Compared, 2> rows;
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     Row h = Row::Unit(4 + axis);
     h(3) = -ground(axis);
-    update(h, ground(axis) - water(axis) - (h * errors_).value(), variance);
+    rows[static_cast<std::size_t>(axis)] = {h, ground(axis) - water(axis), variance};
   }
+  return update(rows);
 }
 
 navigation::Innovations ReckoningFilter::fix(Vector2d& offset, double sigma_m) {
-  navigation::Innovations rows;
-  for (Eigen::Index axis = 0; axis < 2; ++axis)
-    rows.push_back(update(Row::Unit(axis), offset(axis) - errors_(axis), square(sigma_m)));
+  const double variance = square(sigma_m);
+  const auto rows =
+      update({{{Row::Unit(0), offset(0), variance}, {Row::Unit(1), offset(1), variance}}});
   offset = errors_.head<2>();
   errors_.head<2>().setZero();
   return rows;
 }
 
-navigation::Innovation ReckoningFilter::update(const Row& h, double innovation, double variance) {
+// One row behind the other, each against what the row before has shown; but first both are looked
+// at, so that a row beyond the gate keeps the other one out.
+navigation::Innovations ReckoningFilter::update(std::array<Compared, 2> rows) {
+  navigation::Innovations told;
+  bool inside = true;
+  for (const auto& [h, value, variance] : rows) {
+    const double innovation = value - (h * errors_).value();
+    const double sigma = std::sqrt((h * covariance_ * h.transpose()).value() + variance);
+    // This comparison is false for NaN too.
+    inside &= std::abs(innovation) <= navigation::InnovationWindow::outlier_sigmas * sigma;
+    told.push_back({innovation, sigma, false});
+  }
+  if (!inside) return told;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto& [h, value, variance] = rows[i];
+    const double innovation = value - (h * errors_).value();
+    const double expected = (h * covariance_ * h.transpose()).value() + variance;
+    told[i] = {innovation, std::sqrt(expected), true};
+    update(h, innovation, variance);
+  }
+  return told;
+}
+
+void ReckoningFilter::update(const Row& h, double innovation, double variance) {
   const Vector6 cross = covariance_ * h.transpose();
-  const double expected = (h * cross).value() + variance;
-  const Vector6 gain = cross / expected;
+  const Vector6 gain = cross / ((h * cross).value() + variance);
   errors_ += gain * innovation;
   covariance_ -= gain * cross.transpose();
   covariance_ = (covariance_ + covariance_.transpose().eval()) / 2;
-  return {innovation, std::sqrt(expected), true};
+}
+
+void ReckoningFilter::begin_at_fix(double sigma_m) {
+  covariance_.topRows<2>().setZero();
+  covariance_.leftCols<2>().setZero();
+  covariance_(0, 0) = covariance_(1, 1) = square(sigma_m);
+}
+
+void ReckoningFilter::loosen(double position_m) {
+  covariance_.diagonal().head<2>().array() += square(position_m);
+  covariance_(2, 2) += square(sigmas_.heading_rad);
+  loosen_current(sigmas_.current_mps);
+}
+
+void ReckoningFilter::doubt_heading(double rad) {
+  double& variance = covariance_(2, 2);
+  const double doubted = square(sigmas_.heading_rad) + square(rad);
+  if (rad != 0) {
+    variance = std::max(variance, doubted);
+    return;
+  }
+  covariance_.row(2).setZero();
+  covariance_.col(2).setZero();
+  variance = doubted + square(errors_(2));  // what was learned meanwhile may be of the fault
+}
+
+void ReckoningFilter::loosen_current(double mps) {
+  covariance_.diagonal().tail<2>().array() += square(mps);
 }
 
 }  // namespace drydock::pipeline
