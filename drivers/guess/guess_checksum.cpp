@@ -8,6 +8,8 @@
 #include <iterator>
 #include <set>
 
+#include "drivers/guess/crc_pairs.hpp"
+
 namespace drydock::guess {
 namespace {
 
@@ -141,11 +143,13 @@ std::optional<Sum> guess_checksum(const Frames& frames) {
   if (frames.size() < enough_frames) return {};
   const Frames some = some_of(frames);
   BestSum best{some};
+  CrcPairs pairs(some);
   for (std::size_t behind = 0; behind <= most_behind; ++behind) {
     if (!end_alike(frames, behind)) continue;
     for (const Checksum& checksum : all_checksums()) {
       const std::size_t furthest = checksum.is_crc() ? furthest_start : furthest_start_of_sum;
       for (Sum one{.checksum = checksum, .behind = behind}; one.from <= furthest; ++one.from) {
+        if (checksum.is_crc() && !pairs.allow(one)) continue;
         best.take_both(one);
         if (best.fewest == 0) return best.sum;
       }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
 #include <tuple>
 
@@ -143,11 +144,10 @@ Frames checked_frames(const Tried& tried, const Sum& sum, Bytes capture) {
   return frames;
 }
 
-/// `sum`: the checksum, if it is known.
-BinaryGuess guess_of(const Tried& tried, Bytes capture, std::optional<Sum> sum = {}) {
-  BinaryGuess guess{tried.sync->size, tried.field, sum, {}};
-  if (!guess.sum) guess.frames = linked_frames(tried, capture);
-  if (!guess.sum && guess.frames.size() < fewest_frames) return {};
+/// `linked`: its frames; `sum`: the checksum, if it is known.
+BinaryGuess guess_of(const Tried& tried, Bytes capture, Frames linked,
+                     std::optional<Sum> sum = {}) {
+  BinaryGuess guess{tried.sync->size, tried.field, sum, std::move(linked)};
   if (!guess.sum) guess.sum = guess_checksum(guess.frames);
   if (guess.sum) guess.frames = checked_frames(tried, *guess.sum, capture);
   const bool alike = std::ranges::all_of(
@@ -177,6 +177,15 @@ bool is_better(const BinaryGuess& a, const BinaryGuess& b) {
   return rank(a) < rank(b);
 }
 
+/// Nearly all bytes have a checksum that is right. Frames that explain as many follow each other
+/// nearly all, so that far fewer that do are not worth a look at a hundred checksums.
+bool is_hopeless(const Frames& linked, const BinaryGuess& best, Bytes capture) {
+  if (!best.sum || best.bytes() * 10 < capture.size() * 9) return false;
+  const auto bytes = std::transform_reduce(linked.begin(), linked.end(), std::size_t{0},
+                                           std::plus{}, [](Bytes frame) { return frame.size(); });
+  return bytes * 2 < best.bytes();
+}
+
 }  // namespace
 
 std::optional<BinaryGuess> guess_lengths(Bytes capture) {
@@ -186,12 +195,14 @@ std::optional<BinaryGuess> guess_lengths(Bytes capture) {
   Tried found;
   const auto syncs = syncs_of(head);
   for (const Tried& tried : most_promising(syncs, head)) {
-    BinaryGuess guess = guess_of(tried, head);
+    Frames linked = linked_frames(tried, head);
+    if (linked.size() < fewest_frames || (best && is_hopeless(linked, *best, head))) continue;
+    BinaryGuess guess = guess_of(tried, head, std::move(linked));
     if (!is_plausible(guess, head) || (best && !is_better(guess, *best))) continue;
     best = std::move(guess);
     found = tried;
   }
-  if (best && head.size() < capture.size()) best = guess_of(found, capture, best->sum);
+  if (best && head.size() < capture.size()) best = guess_of(found, capture, {}, best->sum);
   return best;
 }
 

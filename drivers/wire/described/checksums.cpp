@@ -129,6 +129,17 @@ std::array<std::uint32_t, 3> Checksum::crcs_of(const std::array<Bytes, 3>& each)
   return {finish(of_a, a), finish(of_b, b), finish(of_c, c)};
 }
 
+Checksum Checksum::linear() const {
+  Checksum result = *this;
+  result.start_ = result.xor_out_ = 0;
+  return result;
+}
+
+std::uint64_t Checksum::polynomial() const {
+  const std::uint32_t first = table_[way_ == Way::crc ? 1 : 128];  // the bit that leaves first
+  return std::uint64_t{width_} << 33 | std::uint64_t{way_ == Way::crc} << 32 | first;
+}
+
 std::uint32_t Checksum::of(Bytes bytes, Bytes extra) const {
   switch (way_) {
     case Way::none: return 0;

@@ -55,6 +55,11 @@ class Checksum {
   /// together.
   std::array<std::uint32_t, 3> of_three(const std::array<Bytes, 3>& each) const;
   bool is_crc() const { return way_ == Way::crc || way_ == Way::crc_reflected; }
+  /// Of a CRC: that with its polynomial whose start value and last XOR are 0. The XOR of two
+  /// messages of one length has the XOR of their two sums by it.
+  Checksum linear() const;
+  /// Of a CRC: one number for all that have the same `linear()`.
+  std::uint64_t polynomial() const;
   std::size_t size() const { return (width_ + 7) / 8; }  ///< bytes on the wire; 0: there is none
   std::string_view name() const { return name_; }
 
