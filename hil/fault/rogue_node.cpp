@@ -15,7 +15,13 @@ constexpr std::uint32_t bus_off_class = 0x040, restarted = 0x100;
 constexpr std::uint8_t single_bit_error = 0x01;
 constexpr std::size_t type_of_violation = 2;
 
-constexpr std::uint64_t strongest_name = 1;  // wins every contention
+/// A NAME that wins every contention: function, system, industry group and the highest bit are 0.
+/// Two thieves on a bus differ in it, as a NAME holds one address: with one NAME for both, a device
+/// that loses its address to the one would go back to that of the other, without an end.
+std::uint64_t strongest_name(std::uint32_t identity_of_victim) {
+  constexpr unsigned behind_the_identity = 21;
+  return std::uint64_t{identity_of_victim} << behind_the_identity | 1;
+}
 
 wire::CanFrame error_frame(std::uint32_t error_class) {
   wire::CanFrame frame;
@@ -122,14 +128,16 @@ void RogueNode::steal_address(bool wanted, Stamp now, emulate::Wire& out) {
 }
 
 void RogueNode::claim_address(Stamp now, emulate::Wire& out) {
-  claim_.emplace(strongest_name, *address_, wire::j1939::AddressRange{*address_, *address_});
+  claim_.emplace(strongest_name(identity_), *address_,
+                 wire::j1939::AddressRange{*address_, *address_});
   if (const auto frame = claim_->start(now.time_since_epoch())) out.send(*frame);
 }
 
 /// The address that the device's NAME claimed last.
 void RogueNode::note_address(const wire::CanFrame& frame) {
   const auto id = wire::j1939::identify(frame);
-  const auto claim = id ? wire::j1939::decode_address_claimed(*id, frame.payload()) : std::nullopt;
+  if (!id || id->pgn != wire::j1939::address_claim_pgn) return;
+  const auto claim = wire::j1939::decode_address_claimed(*id, frame.payload());
   if (!claim || claim->source == wire::j1939::null_address) return;
   if (emulate::identity_in(claim->name, protocol_) == identity_) address_ = claim->source;
 }

@@ -103,6 +103,26 @@ TEST(RogueNode, TakesTheDevicesAddressWithALowerNameAndDefendsIt) {
   EXPECT_EQ(bench.bus.frames.size(), 2u) << "it has gone";
 }
 
+/// A node that may choose its address gets a third one, whoever steals the first two.
+TEST(RogueNode, LeavesTheOtherAddressesToADeviceWhenTwoSteal) {
+  using wire::j1939::AddressClaim;
+  Bench first(second_to_second(FaultKind::address_stolen));
+  Bench second(second_to_second(FaultKind::address_stolen));
+  first.device.name = "log";
+  first.device.address = 128;
+  second.device.address = 129;
+  first.run(0s, 2s - 1ns);
+  second.run(0s, 2s - 1ns);
+  const auto name = emulate::name_for(second.device, 130, 75);
+  AddressClaim victim(wire::j1939::to_value(name), 129);
+  ASSERT_TRUE(victim.start(0ms));
+  EXPECT_FALSE(victim.tick(250ms));
+  EXPECT_FALSE(victim.receive(first.bus.frames.at(0), 1000ms)) << "not its address";
+  const auto moved = victim.receive(second.bus.frames.at(0), 1000ms);
+  ASSERT_TRUE(moved);
+  EXPECT_EQ(moved->id & 0xFF, 130u);
+}
+
 TEST(RogueNode, TakesTheAddressThatTheDeviceClaimedIfTheRigStatesNone) {
   for (const std::uint8_t address : {0x23, 0x80}) {
     Bench bench(second_to_second(FaultKind::address_stolen));
