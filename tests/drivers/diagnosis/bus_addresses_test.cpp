@@ -54,6 +54,44 @@ TEST_F(BusThatIsWatched, HasTwoOwnersOfAnAddressThatTheRigDoesNotState) {
   EXPECT_TRUE(signs.has(Sign::address_taken, depth));
 }
 
+/// J1939-81: an address is held 250 ms after its claim that nobody contended.
+TEST_F(BusThatIsWatched, HasNoTroubleAnyMoreWhenTheNodeHoldsAnotherAddress) {
+  std::uint8_t address = 35;
+  const auto claim = [&](std::uint8_t at, std::uint8_t name) {
+    wire::CanFrame frame = frame_of(id(wire::j1939::address_claim_pgn | 0xFF, at), true);
+    frame.data[7] = name;
+    monitor.take(frame, at_s(now));
+  };
+  const auto seconds = [&](int count) {
+    for (int i = 0; i < 10 * count; ++i) {
+      now += 0.1;
+      for (const std::uint32_t pgn : {127'250, 127'251, 127'257, 128'267})
+        take(frame_of(id(pgn, address), true));
+      take(frame_of(id(127'245, 36), true), 0.001);
+      monitor.look(at_s(now + 0.002));
+    }
+  };
+  claim(35, 0xC0);
+  claim(35, 0x80);
+  monitor.look(at_s(now + 0.1));
+  EXPECT_TRUE(signs.has(Sign::address_taken, depth));
+  claim(address = 128, 0xC0);
+  for (int i = 0; i < 3; ++i) {  // it is silent while it claims
+    now += 0.1;
+    take(frame_of(id(127'245, 36), true), 0.001);
+  }
+  seconds(1);
+  signs.all.clear();
+  seconds(20);
+  EXPECT_TRUE(signs.all.empty()) << "it has moved";
+  claim(35, 0x80);
+  seconds(1);
+  EXPECT_TRUE(signs.all.empty()) << "the other has that address now";
+  claim(128, 0x70);
+  monitor.look(at_s(now + 0.1));
+  EXPECT_TRUE(signs.has(Sign::address_taken, depth)) << "that one is taken as well";
+}
+
 TEST_F(BusThatIsWatched, HasANodeWithoutAnAddressAsLongAsItFindsNone) {
   const auto claim = [&](std::uint8_t at, std::uint8_t name) {
     wire::CanFrame frame = frame_of(id(wire::j1939::address_claim_pgn | 0xFF, at), true);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <deque>
 #include <random>
 
@@ -232,6 +233,22 @@ TEST_F(BusThatIsWatched, HasFramesThatComeTwice) {
   }
   EXPECT_TRUE(signs.has(Sign::repeated, rudder));
   EXPECT_FALSE(signs.has(Sign::repeated, depth));
+}
+
+/// A node of a slow clock pushes the frames of another ahead of it. The other is no drifter, also
+/// when the first is sound again and the slope of the other is not yet.
+TEST_F(BusThatIsWatched, LaysADriftToTheNodeThatDriftsFirst) {
+  for (int i = 0; i < 400; ++i) tenth();
+  const double from = now;
+  for (int i = 0; i < 1000; ++i) {
+    now += 0.1;
+    const double drifted_s = std::min(now - from, 40.0);
+    take(frame_of(id(127'257, 35), true), 60e-6 * drifted_s);
+    take(frame_of(id(127'245, 36), true), 0.001 + 60e-6 * std::clamp(now - from - 6, 0.0, 40.0));
+    monitor.look(at_s(now + 0.05));
+  }
+  EXPECT_TRUE(signs.has(Sign::clock_drift, depth));
+  EXPECT_FALSE(signs.has(Sign::clock_drift, rudder));
 }
 
 }  // namespace drydock::diagnosis::bus_monitor_test
