@@ -114,13 +114,17 @@ bool DeadReckoningEstimator::is_wild(SpeedGate& gate, Stamp at, const Vector3d& 
 
 // A current may change slowly, and then it is learned anew. A difference beyond the gate comes from
 // the log or the DVL, nobody knows which: until both agree again the track may be as much off. When
-// it lasts, the current is learned with it, and the doubt stays with the way that was made.
+// it lasts, the current is learned with it, and the doubt stays with the way that was made. Where
+// the DVL is left out next, what was learned of the current may have been its error: the log
+// carries it.
 void DeadReckoningEstimator::compare(const Speed& water) {
   const auto rows = filter_.compare(last_ground_.head<2>(), water.ned.head<2>());
   speeds_.add(rows, water.valid_at);
   const double off = std::hypot(rows[0].value, rows[1].value);
   if (rows[0].used) {
     if (!speeds_.contradicts()) return;
+    loosened_mps_ = off;
+    loosened_at_ = water.valid_at;
     filter_.loosen_current(off);
     speeds_ = {};
     return;

@@ -103,6 +103,8 @@ class DeadReckoningEstimator final : public Estimator {
   double speeds_off_mps_ = 0;  ///< of the last log and DVL that contradicted
   Eigen::Vector2d split_mps_ = Eigen::Vector2d::Zero();  ///< taken for a current, body axes
   std::optional<Stamp> speeds_split_at_;                 ///< when that was taken for a current
+  double loosened_mps_ = 0;  ///< a difference within the gate that the current was loosened by
+  std::optional<Stamp> loosened_at_;
   /// How far fixes lay from the track, m2, when they were believed; the last time of that.
   double separation_m2_ = 0;
   std::optional<Stamp> separated_at_;

@@ -147,12 +147,18 @@ double DeadReckoningEstimator::unseen_heading_rad(Stamp at) const {
   return std::hypot(angles_.unknown_turn_rad(at), late);
 }
 
-/// How far a speed may be wrong: it made a step, or log and DVL contradict each other.
+/// How far a speed may be wrong: it made a step, log and DVL contradict each other, or the current
+/// that is added to the log's was learned anew from what may have been an error of the DVL.
 double DeadReckoningEstimator::doubted_mps(SpeedOver over, Stamp at) const {
   constexpr std::chrono::minutes forgotten_after{5};
-  const double stepped = over == SpeedOver::ground ? dvl_gate_.doubted_mps(at) : 0;
-  const bool split = speeds_split_at_ && at - *speeds_split_at_ <= forgotten_after;
-  return std::max(stepped, split || !speeds_.agrees(at) ? speeds_off_mps_ : 0);
+  const auto fresh = [&](const std::optional<Stamp>& since) {
+    return since && at - *since <= forgotten_after;
+  };
+  const double own = over == SpeedOver::ground ? dvl_gate_.doubted_mps(at)
+                     : fresh(loosened_at_)     ? loosened_mps_
+                                               : 0;
+  const bool split = fresh(speeds_split_at_);
+  return std::max(own, split || !speeds_.agrees(at) ? speeds_off_mps_ : 0);
 }
 
 /// In the gap a fix came: what was before it counts no more.
