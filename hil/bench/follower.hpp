@@ -26,6 +26,9 @@ class Follower : public host::Follower {
  public:
   /// Called before the run. The view stays valid until the run ends.
   virtual void on_start(const BenchView&) {}
+  /// False: on_truth() is not needed. A run in virtual time that nobody asks for the truth between
+  /// estimates does not compute it. Asked once, before the run.
+  virtual bool hears_truth() const { return true; }
   /// Called when the last byte of a message, or a frame, was handed to the host at `written`.
   virtual void on_written(std::string_view /*device*/, const emulate::Passage&, Stamp /*written*/) {
   }

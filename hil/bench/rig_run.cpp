@@ -37,7 +37,10 @@ RigRun::RigRun(const rig_config::Rig& rig, const RunOptions& options,
   followers_.add(late_wakes_);
   followers_.add(scribe_);
   followers_.add(expects_);
-  if (truth_ != nullptr && !(rig.estimators.empty() && !summary::no_real_device(rig)))
+  const bool truth_is_heard = setting.others_hear_truth || !options.record.path.empty() ||
+                              std::ranges::any_of(options.followers, &Follower::hears_truth);
+  if (truth_is_heard && truth_ != nullptr &&
+      !(rig.estimators.empty() && !summary::no_real_device(rig)))
     followers_.add(truth_teller_.emplace(
         *truth_, followers_, setting.start,
         measurement::from_seconds(

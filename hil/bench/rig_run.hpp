@@ -26,6 +26,7 @@ class RigRun {
     double expected_s = 0;  ///< for the spacing of the report's curves
     record::WhenBehind when_behind = record::WhenBehind::lose;
     host::Follower* first = nullptr;  ///< hears everything before the others; may be null
+    bool others_hear_truth = true;    ///< those that are added later may need on_truth()
   };
 
   /// Makes the followers that the options ask for. All arguments must outlive the run. Throws

@@ -56,7 +56,11 @@ class LockstepRun {
         duration_s_(options.duration_s > 0 ? options.duration_s
                                            : measurement::seconds(trajectory_.end() - start_)),
         until_played_(ends_when_played(rig, duration_s_)),
-        run_(rig, options, trajectory_, {start_, duration_s_, record::WhenBehind::wait}),
+        run_(rig, options, trajectory_,
+             {.start = start_,
+              .expected_s = duration_s_,
+              .when_behind = record::WhenBehind::wait,
+              .others_hear_truth = false}),
         finding_lines_(rig, start_, [](const std::string& line) { fmt::print("{}\n", line); }),
         bench_(rig, trajectory_, run_.followers(), run_.on_written(),
                {.say =

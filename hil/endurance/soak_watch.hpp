@@ -17,6 +17,7 @@ class SoakWatch final : public bench::Follower {
   SoakWatch(const rig_config::Rig& rig, std::uint64_t seed, std::optional<double> fault_interval_s);
 
   void on_start(const bench::BenchView& bench) override { bench_ = &bench; }
+  bool hears_truth() const override { return false; }
   void on_measurement(const measurement::Measurement& measurement) override;
   void on_finding(const diagnosis::Finding& finding) override;
   void tick(Stamp now) override;
