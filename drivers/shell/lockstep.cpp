@@ -22,7 +22,9 @@ void Lockstep::ask(Actor& actor) {
   actor.asked_ = true;
   const auto deadline = actor.deadline();
   std::size_t node = leaves_ + actor.place_;
-  tree_[node] = {deadline ? std::max(*deadline, now_) : Stamp::max(), actor.place_};
+  const Due due{deadline ? std::max(*deadline, now_) : Stamp::max(), actor.place_};
+  if (tree_[node] == due) return;  // most frames of a bus are another driver's
+  tree_[node] = due;
   for (node /= 2; node > 0; node /= 2) {
     const Due winner = std::min(tree_[2 * node], tree_[2 * node + 1]);
     if (tree_[node] == winner) return;  // nothing changes above
