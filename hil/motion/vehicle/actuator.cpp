@@ -20,8 +20,17 @@ void Actuator::step(double command, double dt) {
     left = slewing_s <= dt ? near : left - limits_.rate * dt;
     dt = std::max(0.0, dt - slewing_s);
   }
-  if (left <= near) left = limits_.lag_s > 0 ? left * std::exp(-dt / limits_.lag_s) : 0;
+  if (left <= near) left = limits_.lag_s > 0 ? left * decay(dt) : 0;
   value_ = target - std::copysign(left, way);
+}
+
+/// Steps are mostly of one length.
+double Actuator::decay(double dt) {
+  if (dt != decay_dt_) {
+    decay_dt_ = dt;
+    decay_ = std::exp(-dt / limits_.lag_s);
+  }
+  return decay_;
 }
 
 }  // namespace drydock::motion

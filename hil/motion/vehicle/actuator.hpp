@@ -24,8 +24,11 @@ class Actuator {
   double value() const { return value_; }
 
  private:
+  double decay(double dt);  ///< what is left of the way after dt seconds of lag
+
   ActuatorLimits limits_;
   double value_;
+  double decay_dt_ = 0, decay_ = 1;  ///< the latest of decay()
 };
 
 }  // namespace drydock::motion
