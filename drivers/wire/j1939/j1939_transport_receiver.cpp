@@ -50,6 +50,7 @@ TransportReceiver::Result TransportReceiver::receive(const Identifier& id, Bytes
 }
 
 void TransportReceiver::expire(Time now) {
+  if (busy_ == 0) return;
   for (Session& s : sessions_)
     if (s.busy && !ours(s) && s.deadline < now) drop(s);
 }
@@ -64,6 +65,7 @@ std::optional<CanFrame> TransportReceiver::tick(Time now) {
 }
 
 std::optional<TransportReceiver::Time> TransportReceiver::deadline() const {
+  if (busy_ == 0) return std::nullopt;
   std::optional<Time> first;
   for (const Session& s : sessions_) {
     if (s.busy && (!first || s.deadline < *first)) first = s.deadline;
@@ -108,6 +110,7 @@ std::optional<CanFrame> TransportReceiver::begin(const TransportControl& c, std:
   if (!s) s = &free_slot();
   if (Behind* before = behind(c.source, c.destination)) before->known = false;
   s->busy = true;
+  ++busy_;
   s->priority = priority;
   s->source = c.source;
   s->destination = c.destination;
@@ -159,6 +162,7 @@ std::optional<CanFrame> TransportReceiver::gap(Session& s, unsigned number, Time
 
 TransportReceiver::Result TransportReceiver::complete(Session& s) {
   s.busy = false;
+  --busy_;
   remember(s);
   ++counters_.messages;
   Result result;
@@ -219,6 +223,7 @@ TransportReceiver::Session& TransportReceiver::free_slot() {
 }
 
 void TransportReceiver::drop(Session& s) {
+  busy_ -= s.busy ? 1 : 0;
   s.busy = false;
   ++counters_.dropped;
   remember(s);

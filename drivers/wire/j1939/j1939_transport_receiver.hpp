@@ -86,6 +86,7 @@ class TransportReceiver {
 
   std::optional<std::uint8_t> own_;
   std::array<Session, max_concurrent> sessions_{};
+  unsigned busy_ = 0;  ///< sessions; mostly none
   std::array<Behind, max_concurrent> behind_{};
   std::size_t next_behind_ = 0;
   std::uint64_t clock_ = 0;
