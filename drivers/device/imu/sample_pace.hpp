@@ -55,10 +55,20 @@ class SamplePace {
   void renew() {
     std::array<Step, most> used;
     std::size_t n = 0;
-    for (std::size_t i = 0; i < std::min(learned_, most); ++i)
-      if (steps_[i] >= shortest) used[n++] = steps_[i];
+    Step all{}, least = Step::max(), largest{};
+    for (std::size_t i = 0; i < std::min(learned_, most); ++i) {
+      if (steps_[i] < shortest) continue;
+      used[n++] = steps_[i];
+      all += steps_[i];
+      least = std::min(least, steps_[i]);
+      largest = std::max(largest, steps_[i]);
+    }
     if (n < std::max(fewest / 2, std::min(learned_, most) / 4))
       return;  // nearly all came in bursts
+    if (largest <= least * 5 / 2) {  // then no step is longer than the median allows
+      period_ = all / static_cast<int>(n);
+      return;
+    }
     const auto median = used.begin() + static_cast<std::ptrdiff_t>(n / 2);
     std::nth_element(used.begin(), median, used.begin() + static_cast<std::ptrdiff_t>(n));
     const Step longest = *median * 5 / 2;
