@@ -64,7 +64,7 @@ class SamplePace {
       largest = std::max(largest, steps_[i]);
     }
     if (n < std::max(fewest / 2, std::min(learned_, most) / 4))
-      return;  // nearly all came in bursts
+      return;                        // nearly all came in bursts
     if (largest <= least * 5 / 2) {  // then no step is longer than the median allows
       period_ = all / static_cast<int>(n);
       return;
