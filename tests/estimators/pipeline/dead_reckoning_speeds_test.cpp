@@ -43,6 +43,20 @@ TEST(DeadReckoningSpeeds, ADvlThatTurnsWrongContradictsTheLog) {
   }
 }
 
+/// The DVL is wrong by less than the gate for 3 s, then a finding leaves it out for half a minute.
+/// What was taken for a current meanwhile may have been its error.
+TEST(DeadReckoningSpeeds, ALogGoesOnInDoubtBehindADvlThatWasWrong) {
+  for (const double off : {0.2, 0.3, 0.4}) {
+    Reckoning run(by_both());
+    sail(run, 160, [&](double s) {
+      Lies lies{.dvl = within(s, 80, 83) ? off : 0};
+      if (within(s, 83, 113)) lies.dvl.reset();
+      return lies;
+    });
+    EXPECT_LT(judged(run.all).wrong_s, 2) << off;
+  }
+}
+
 TEST(DeadReckoningSpeeds, ADvlThatLeapsIsNotUsed) {
   Reckoning run(by_both());
   sail(run, 120,
