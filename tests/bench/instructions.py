@@ -19,7 +19,8 @@ ALLOWED = 1.05
 
 
 def capture(name, protocol, copies):
-    """Decoding a capture of fixtures that is repeated so many times, and once more as often."""
+    """Decoding a capture of fixtures that is repeated so many times, and once more as often. Both files are longer than the head
+    in which decode looks for the form of a log, once a file."""
     def words(room, source, twice):
         path = room / f"{name.replace('/', '-')}-{twice}"
         path.write_bytes((source / "fixtures" / name).read_bytes() * (copies * (2 if twice else 1)))
@@ -34,10 +35,10 @@ def sized(command, option, less, more):
 
 
 PATHS = {
-    "decode PD0, a file of 5 ensembles": capture("pd0/golden.pd0", "pd0", 100),
-    "decode UBX, a golden file": capture("ubx/golden.ubx", "ubx", 40),
-    "decode NMEA 0183, a golden file": capture("nmea0183/golden.nmea", "nmea0183", 40),
-    "decode Nortek sentences, a golden file": capture("nortek/golden.nmea", "nortek", 40),
+    "decode PD0, a file of 5 ensembles": capture("pd0/golden.pd0", "pd0", 400),
+    "decode UBX, a golden file": capture("ubx/golden.ubx", "ubx", 800),
+    "decode NMEA 0183, a golden file": capture("nmea0183/golden.nmea", "nmea0183", 800),
+    "decode Nortek sentences, a golden file": capture("nortek/golden.nmea", "nortek", 800),
     "decode NMEA 2000, a golden trace": capture("nmea2000/frames.log", "nmea2000", 20),
     "decode Aceinna, a golden trace": capture("aceinna/frames.log", "aceinna", 20),
     "demo rig in lockstep, a second": sized("run rig_config/rigs/demo.toml --speed max", "--for", "4s", "12s"),
