@@ -8,7 +8,7 @@ const [browserPath, url, file, width, height, text] = process.argv.slice(2);
   const page = await browser.newPage();
   await page.setViewport({ width: Number(width), height: Number(height) });
   await page.goto(url, { waitUntil: 'load' });
-  await page.waitForFunction((wanted) => document.querySelectorAll('figure canvas').length > 3 && document.body.innerText.includes(wanted), { timeout: 60000 }, text);
+  await page.waitForFunction((wanted) => document.querySelectorAll('figure canvas').length > 3 && document.body.innerText.includes(wanted), {}, text);
   await page.evaluate((wanted) => [...document.querySelectorAll('h2')].find((head) => head.innerText.includes(wanted))?.scrollIntoView(), text);
   await new Promise((resolve) => setTimeout(resolve, 1000)); // redraws
   await page.screenshot({ path: file });

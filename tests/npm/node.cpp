@@ -34,7 +34,9 @@ nlohmann::json run_for_json(std::string command, const std::optional<std::string
     text.append(chunk.data(), n);
   const bool good = pclose(pipe) == 0;
   std::filesystem::remove(file);
-  return good ? nlohmann::json::parse(text, nullptr, false) : nlohmann::json{};
+  auto said = nlohmann::json::parse(text, nullptr, false);
+  if (good || (said.is_object() && said.contains("failed"))) return said;
+  return {{"failed", text}};  // a test's message shows it
 }
 
 std::vector<std::string> node_command(const std::string& script,

@@ -13,7 +13,7 @@ namespace drydock::test {
 bool have_node();
 
 /// What a command of the shell prints, as JSON. `input`, where given, becomes its standard input.
-/// Empty when it failed.
+/// A command that failed gives {"failed": what it printed}.
 nlohmann::json run_for_json(std::string command, const std::optional<std::string>& input = {});
 
 /// The program and its arguments that run a script (a path from the root of the tree).
@@ -21,7 +21,7 @@ std::vector<std::string> node_command(const std::string& script,
                                       const std::vector<std::string>& arguments);
 
 /// `script` is a path from the root of the tree. `input`, where given, becomes its standard input.
-/// Empty when it failed.
+/// A script that failed gives {"failed": what it printed}.
 nlohmann::json run_node(const std::string& script, const std::vector<std::string>& arguments,
                         const std::optional<std::string>& input = {});
 

@@ -69,7 +69,7 @@ async function measure({ image, colours, figures }) {
   await page.setViewport({ width: Number(width), height: 900 });
   await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: theme }]);
   await page.goto(url, { waitUntil: 'load' });
-  await page.waitForFunction(() => document.querySelectorAll('#devices tbody tr').length > 0 && document.querySelectorAll('figure canvas').length > 3, { timeout: 60000 });
+  await page.waitForFunction(() => document.querySelectorAll('#devices tbody tr').length > 0 && document.querySelectorAll('figure canvas').length > 3);
   await new Promise((resolve) => setTimeout(resolve, Number(process.argv[7] ?? 4000))); // redraws
   const bench = await browser.newPage();
   let seen, pixels;
@@ -78,7 +78,7 @@ async function measure({ image, colours, figures }) {
     const places = ({ figures }) => JSON.stringify(figures.map(({ rect }) => rect));
     let image, before, tries = 0;
     do { // a line that breaks meanwhile moves the figures below it; the bench stands still at its end
-      if (++tries > 40) throw new Error('the figures never stood still');
+      if (++tries > 150) throw new Error('the figures never stood still');
       const height = await page.evaluate(() => document.documentElement.scrollHeight); // a screenshot of more than the window moves them too
       await page.setViewport({ width: Number(width), height: Math.max(900, height) });
       before = places(await page.evaluate(read));

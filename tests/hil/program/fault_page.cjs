@@ -46,7 +46,7 @@ async function measure({ image, rects, colours }) {
   const errors = [], seen = { errors, looks: [] };
   page.on('pageerror', (error) => errors.push(String(error)));
   page.on('console', (message) => { if (message.type() === 'error') errors.push(message.text()); });
-  const until = (what, ...rest) => page.waitForFunction(what, { timeout: 50000 }, ...rest);
+  const until = (what, ...rest) => page.waitForFunction(what, {}, ...rest);
   const textOf = (selector) => page.$eval(selector, (element) => element.innerText.replace(/\s+/g, ' ').trim());
   const row = () => textOf('#devices tr[data-name="dvl"]');
   const stateIs = (state) => until((wanted) => document.querySelector('#devices tr[data-name="dvl"]')?.innerText.includes(wanted), state);
@@ -55,7 +55,7 @@ async function measure({ image, rects, colours }) {
 
   await page.setViewport({ width: 1280, height: 900 });
   await page.goto(url, { waitUntil: 'load' });
-  await page.waitForSelector('#orders:not([hidden]) option[value="dvl"]', { timeout: 50000 });
+  await page.waitForSelector('#orders:not([hidden]) option[value="dvl"]');
   await stateIs('streaming');
   seen.before = await row();
   await page.select('#orders [name=device]', 'dvl');
