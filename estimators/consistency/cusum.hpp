@@ -42,6 +42,7 @@ class Cusum {
   }
 
   double value() const { return std::max(up_, down_); }
+  bool is_up() const { return up_ >= down_; }  ///< what it found lies above
   void clear() { up_ = down_ = 0; }
 
  private:

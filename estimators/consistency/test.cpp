@@ -17,6 +17,9 @@ constexpr double still_going = 10;
 /// A sum that stays within two sigmas meanwhile wanders by less than half of what sound ones may.
 /// A sigma that was learned in a fault may be large: then it need not stay for ever.
 constexpr double still_wandering = 4, shortest_rest_s = 30, longest_rest_s = 60;
+/// An offset that is younger may be of the fault that is found; what rests for so long is no noise.
+constexpr std::chrono::seconds young{60};
+constexpr double rests_for_s = 10;
 // Fired samples; then the shape is told. Of two witnesses the named one soon counts no more, which
 // changes the residual.
 constexpr int told_after = 15, told_after_of_pair = 6;
@@ -105,6 +108,7 @@ void Test::learn(const Residual& residual) {
   learned_.offset += deviation_ / std::min(samples_, first_memory);
   if (learned()) learns_again_ = !learns_again_ && spread() > wide_floors * facts_.floor;
   if (learns_again_ && learned()) samples_ = 0;
+  learned_at_ = last_;
 }
 
 /// The offset of a healthy sensor moves slowly: temperature, current, mounting, tide.
@@ -122,7 +126,13 @@ void Test::end_fault(Stamp at) {
     steady_since_ = at;
   }
   const double steady_s = measurement::seconds(at - steady_since_);
-  if (steady_s > steady_for_s && is_over(steady_s)) restart();
+  if (steady_s > steady_for_s && (is_over(steady_s) || was_learned_in_fault(steady_s))) restart();
+}
+
+/// The alarm rose just behind the learning, came back, passed the offset and rests beyond it: so
+/// part of the fault was learned.
+bool Test::was_learned_in_fault(double steady_s) const {
+  return since_ - learned_at_ < young && cusum_.is_up() != fired_up_ && steady_s > rests_for_s;
 }
 
 /// A sum stayed for long enough when the fault, at the mean rate of its rise, would have moved it
@@ -180,6 +190,7 @@ void Test::test(const Residual& residual, Stamp at) {
   }
   if (cusum_.value() >= design.limit && !fired_) {
     fired_ = true;
+    fired_up_ = cusum_.is_up();
     steady_ = deviation_;
     steady_since_ = at;
   }

@@ -101,6 +101,7 @@ class Test {
   void keep(Stamp at);
   void end_fault(Stamp at);
   bool is_over(double steady_s) const;
+  bool was_learned_in_fault(double steady_s) const;
   bool is_blind(const Residual& residual) const;
   bool has_stopped(const Freeze* own) const;
   enum class Late : std::uint8_t { no, open, yes };
@@ -122,8 +123,8 @@ class Test {
   double deviation_ = 0, sigma_ = 0;
   double peak_ = 0, peak_sigma_ = 1;
   double usual_rate_ = 0, usual_quantity_ = 0;
-  Stamp last_{}, since_{}, steady_since_{};
-  bool fired_ = false, learns_again_ = false;
+  Stamp last_{}, since_{}, steady_since_{}, learned_at_{};
+  bool fired_ = false, fired_up_ = false, learns_again_ = false;
   Cusum cusum_;
   ShapeTest shape_;
   MaybeLate late_;

@@ -117,12 +117,7 @@ void AidedNavigation::loosen(double velocity_sigma_mps, double angle_sigma_rad) 
 
 template <>
 void AidedNavigation::loosen_position(double sigma_m) {
-  const frame::Position& now = sdins_.state().position;
-  const frame::LocalEarth earth = frame::local_earth(now.latitude_rad, now.height_m);
-  auto variance = filter_.covariance().diagonal();
-  variance(position_error) += std::pow(sigma_m / (earth.meridian_radius_m + now.height_m), 2);
-  variance(position_error + 1) +=
-      std::pow(sigma_m / ((earth.transverse_radius_m + now.height_m) * earth.cos_latitude), 2);
+  filter_.loosen_position(sdins_.state().position, sigma_m);
 }
 
 template <>

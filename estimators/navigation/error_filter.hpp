@@ -73,6 +73,16 @@ class ErrorFilter {
     p_.diagonal().template segment<3>(phi).array() += angle_sigma_rad * angle_sigma_rad;
   }
 
+  /// Adds this standard deviation to north and east, of a vehicle at this place.
+  void loosen_position(const frame::Position& at, double sigma_m) {
+    const frame::LocalEarth earth = frame::local_earth(at.latitude_rad, at.height_m);
+    const double north_rad = sigma_m / (earth.meridian_radius_m + at.height_m);
+    const double east_rad =
+        sigma_m / ((earth.transverse_radius_m + at.height_m) * earth.cos_latitude);
+    p_(position_error, position_error) += north_rad * north_rad;
+    p_(position_error + 1, position_error + 1) += east_rad * east_rad;
+  }
+
   /// Adds these standard deviations to the biases of gyros and accelerometers, each axis.
   void loosen_biases(double gyro_sigma_radps, double accel_sigma_mps2) {
     p_.diagonal().template segment<3>(gyro_bias).array() += gyro_sigma_radps * gyro_sigma_radps;

@@ -67,6 +67,9 @@ class BasicCoupledNavigation {
   void loosen(double velocity_sigma_mps, double angle_sigma_rad) {
     filter_.loosen(velocity_sigma_mps, angle_sigma_rad);
   }
+  void loosen_position(double sigma_m) {
+    filter_.loosen_position(sdins_.state().position, sigma_m);
+  }
   void loosen_biases(double gyro_sigma_radps, double accel_sigma_mps2) {
     filter_.loosen_biases(gyro_sigma_radps, accel_sigma_mps2);
   }

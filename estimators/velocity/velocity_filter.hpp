@@ -35,6 +35,9 @@ class BasicVelocityFilter {
   BasicVelocityFilter(const hydrodynamics::BasicModel<Real>& model,
                       const BasicSimulated<Real>& start, const VelocityFilterOptions& options = {});
 
+  /// Begins anew, with this covariance of the three velocities and the other sigmas of the options.
+  void restart(const BasicSimulated<Real>& at, const Eigen::Matrix3<Real>& velocity_covariance);
+
   void predict(const BasicSetting<Real>& setting, const hydrodynamics::Control& control,
                double dt);  ///< (12)
 

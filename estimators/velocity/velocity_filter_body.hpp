@@ -10,10 +10,20 @@ BasicVelocityFilter<Real>::BasicVelocityFilter(const hydrodynamics::BasicModel<R
                                                const BasicSimulated<Real>& start,
                                                const VelocityFilterOptions& options)
     : simulator_(model, start), options_(options) {
+  restart(start,
+          Vector3::Constant(options.velocity_sigma_mps * options.velocity_sigma_mps).asDiagonal());
+}
+
+template <class Real>
+void BasicVelocityFilter<Real>::restart(const BasicSimulated<Real>& at,
+                                        const Eigen::Matrix3<Real>& velocity_covariance) {
+  simulator_.state() = at;
   Vector sigma;
-  sigma << options.height_sigma_m, Vector3::Constant(options.velocity_sigma_mps),
-      Vector3::Constant(options.rate_sigma_radps), 0;
+  sigma << options_.height_sigma_m, Vector3::Zero(), Vector3::Constant(options_.rate_sigma_radps),
+      0;
+  p_.setZero();
   p_.diagonal() = sigma.array().square();
+  p_.template block<3, 3>(1, 1) = velocity_covariance;
 }
 
 template <class Real>

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "estimators/pipeline/inertial/inertial_options.hpp"
+#include "estimators/pipeline/inertial/innovation_watch.hpp"
 #include "estimators/pipeline/inertial/navigation_estimate.hpp"
 
 namespace drydock::pipeline {
@@ -23,7 +24,14 @@ class AidedInertial {
                        double dt) = 0;
   virtual Innovations add_height(double height_m) = 0;  ///< at the last sample; up, m
   virtual void step() = 0;                              ///< over the samples since the last step
-  virtual void settle() {}                              ///< after the other sensors of a step
+  /// After the other sensors of a step. Innovations: of a model's velocity, now and then.
+  virtual Innovations settle() { return {}; }
+  /// True while the sensors contradict the model that aids the navigation. It then does not aid.
+  virtual void doubt_model(bool) {}
+  /// The model begins anew at the state of the navigation.
+  virtual void restart_model() {}
+  /// True if the navigation has diverged, as far as the innovations tell.
+  virtual bool diverged(const InnovationWatch& watch) const { return watch.contradictions() > 1; }
 
   virtual Innovations update_ground(const Eigen::Vector3d& velocity_body) = 0;  ///< m/s
   virtual Innovations update_log(double /*longitudinal_mps*/) { return {}; }
@@ -38,8 +46,7 @@ class AidedInertial {
   virtual void loosen(double velocity_sigma, double angle_sigma) = 0;
   /// The same for the biases of gyros (rad/s) and accelerometers (m/s2), each axis.
   virtual void loosen_biases(double rate_sigma, double force_sigma) = 0;
-  /// The same for the horizontal position, m, if a sensor can correct it.
-  virtual void loosen_position(double /*sigma*/) {}
+  virtual void loosen_position(double sigma) = 0;  ///< the same, horizontal, m
 
   virtual const navigation::NavigationState& state() const = 0;  ///< at the last step
   virtual const Eigen::Vector3d& gyro_bias() const = 0;          ///< present estimate, rad/s

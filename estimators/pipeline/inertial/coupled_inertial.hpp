@@ -34,6 +34,7 @@ class CoupledInertial final : public AidedInertial {
   void loosen_biases(double rate_sigma, double force_sigma) override {
     filter_.loosen_biases(rate_sigma, force_sigma);
   }
+  void loosen_position(double sigma) override { filter_.loosen_position(sigma); }
 
   const navigation::NavigationState& state() const override { return filter_.state(); }
   const Eigen::Vector3d& gyro_bias() const override { return filter_.gyro_bias(); }

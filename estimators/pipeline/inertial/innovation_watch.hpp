@@ -10,8 +10,9 @@
 
 namespace drydock::pipeline {
 
-/// The sensors whose innovations an inertial navigation has.
-enum class Aid : std::uint8_t { log, ground, position, heading, depth };
+/// The sensors whose innovations an inertial navigation has; `model`: the velocity of a model of
+/// the vehicle that aids it.
+enum class Aid : std::uint8_t { log, ground, position, heading, depth, model };
 
 /// Judges the innovations of all aiding sensors, each row by itself.
 class InnovationWatch {
@@ -19,23 +20,26 @@ class InnovationWatch {
   void add(Aid aid, const navigation::Innovations& rows) {
     for (std::size_t row = 0; row < rows.size(); ++row)
       windows_[static_cast<std::size_t>(aid)][row].add(rows[row].value / rows[row].sigma);
-    if (aid == Aid::position && rows.size() >= 2)
-      position_off_m_ = std::hypot(rows[0].value, rows[1].value);
+    if (rows.empty()) return;
+    off_[static_cast<std::size_t>(aid)] =
+        std::hypot(rows[0].value, rows.size() > 1 ? rows[1].value : 0);
   }
   void clear() { *this = {}; }
 
   /// The number of sensors whose innovations contradict the filter.
-  std::ptrdiff_t contradictions() const {
-    return std::ranges::count_if(windows_, [](const auto& rows) {
-      return std::ranges::any_of(rows, &navigation::InnovationWindow::contradicts);
-    });
-  }
-  /// Horizontal distance of the last position that a sensor gave from the expected one; 0: none.
-  double position_off_m() const { return position_off_m_; }
+  std::ptrdiff_t contradictions() const { return std::ranges::count_if(windows_, any_row); }
+  bool contradicts(Aid aid) const { return any_row(windows_[static_cast<std::size_t>(aid)]); }
+  /// How far the last value was from the expected one, by its first two rows; 0: there was none.
+  double off(Aid aid) const { return off_[static_cast<std::size_t>(aid)]; }
 
  private:
-  std::array<std::array<navigation::InnovationWindow, 3>, 5> windows_;
-  double position_off_m_ = 0;
+  using Rows = std::array<navigation::InnovationWindow, 3>;
+  static bool any_row(const Rows& rows) {
+    return std::ranges::any_of(rows, &navigation::InnovationWindow::contradicts);
+  }
+
+  std::array<Rows, 6> windows_;
+  std::array<double, 6> off_{};
 };
 
 }  // namespace drydock::pipeline

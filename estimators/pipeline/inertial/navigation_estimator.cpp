@@ -14,11 +14,6 @@ using measurement::Stamp;
 
 namespace {
 
-/// A navigation that two of its sensors have contradicted for this long has diverged; of one alone
-/// its gate knows what to do. It goes on from where it is, with these standard deviations. Chosen.
-constexpr std::chrono::seconds navigation_diverged_after{10};
-constexpr double anew_velocity_mps = 1, anew_angle_rad = 0.05;
-
 /// After this many samples in a row from the past, the clock was set back. Fewer are late samples.
 constexpr int clock_back_after = 10;
 
@@ -145,13 +140,14 @@ void NavigationEstimator::end_step_if_due(EstimateListener& listener) {
   const bool full = now_ - step_began_ >= measurement::from_seconds(step_s) - half;
   if (now_ == step_began_ || (!full && std::ranges::none_of(waiting_, is_due))) return;
   filter_->step();
-  widen_by_noise(seconds(now_ - step_began_));
+  const double lasted_s = seconds(now_ - step_began_);
+  widen_by_noise(lasted_s);
   step_began_ = now_;
   for (const Aiding& aiding : waiting_)
     if (is_due(aiding)) apply(aiding, listener);
   waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_due), waiting_.end());
-  filter_->settle();
-  judge();
+  watch_.add(Aid::model, filter_->settle());
+  judge(lasted_s);
   emit(listener);
 }
 
@@ -190,35 +186,6 @@ void NavigationEstimator::lose() {
   status_.valid = false;
   status_.lost_at = now_;
   waiting_.clear();
-}
-
-void NavigationEstimator::judge() {
-  const auto contradictions = watch_.contradictions();
-  aiding_.judge(contradictions > 0, now_);
-  state_.judge(contradictions > 1, now_);
-  if (state_.doubted(now_) < navigation_diverged_after) return;
-  ++status_.divergences;
-  filter_->loosen(anew_velocity_mps, anew_angle_rad);
-  filter_->loosen_position(watch_.position_off_m());
-  watch_.clear();
-  aiding_.end();
-  state_.end();
-}
-
-Integrity NavigationEstimator::integrity_of(const NavigationEstimate& estimate) const {
-  const Eigen::Matrix3d angles = euler_covariance(estimate);
-  const auto& p = estimate.covariance;
-  Integrity integrity{
-      .valid = aiding_.settled(now_) && imu_trust_.settled(now_) && vehicle_trust_.settled(now_),
-      .roll_bound_rad = bound_of(angles(0, 0)),
-      .pitch_bound_rad = bound_of(angles(1, 1)),
-      .heading_bound_rad = bound_of(angles(2, 2)),
-      .horizontal_bound_m = bound_of(p(0, 0) + p(1, 1))};
-  // These comparisons are false for NaN too.
-  integrity.valid &= integrity.roll_bound_rad <= alert_.attitude_rad &&
-                     integrity.pitch_bound_rad <= alert_.attitude_rad &&
-                     bound_of(p(3, 3) + p(4, 4)) <= alert_.velocity_mps;
-  return integrity;
 }
 
 void NavigationEstimator::emit(EstimateListener& listener) {

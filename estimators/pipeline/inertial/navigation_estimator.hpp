@@ -64,8 +64,11 @@ class NavigationEstimator final : public Estimator {
   void note_fed_by(std::uint16_t device) { fed_by_ |= std::uint32_t{1} << device; }
   bool passes_gate(const measurement::ImuSample& sample);
   measurement::ImuSample without_step(const measurement::ImuSample& sample) const;
+  bool was_wrong(measurement::Stamp now) const;
   void widen_by_noise(double dt);
-  void judge();
+  void judge(double lasted_s);
+  void judge_model();
+  double speed_off_mps() const;  ///< of the navigation, as the last values tell
   Integrity integrity_of(const NavigationEstimate& estimate) const;
   Outcome wait_for_step(const Aiding& aiding);
   void lose();
@@ -86,7 +89,7 @@ class NavigationEstimator final : public Estimator {
   InnovationWatch watch_;
   std::optional<VehicleWitness> vehicle_;  ///< empty: the method has no vehicle
   SampleNoise noise_;
-  Trust aiding_, state_, imu_trust_, vehicle_trust_;
+  Trust aiding_, state_, model_, imu_trust_, vehicle_trust_;
   bool imu_doubted_ = false;  ///< by a finding
   std::unique_ptr<AidedInertial> filter_;
   hydrodynamics::Control control_;
@@ -95,7 +98,8 @@ class NavigationEstimator final : public Estimator {
   measurement::Stamp step_began_{};                 ///< the time of the filter's state
   Eigen::Vector3d rate_ = Eigen::Vector3d::Zero();  ///< newest, rad/s
   boost::container::static_vector<Aiding, 16> waiting_;
-  int far_behind_ = 0;  ///< IMU samples in a row from the past
+  double strayed_m_ = 0;  ///< what speed_off_mps() makes since the aiding contradicts
+  int far_behind_ = 0;    ///< IMU samples in a row from the past
   std::uint32_t fed_by_ = 0;
   EstimatorStatus status_;
 };

@@ -1,4 +1,5 @@
 // What an inertial navigation does with samples of its IMU that are not as its data sheet says.
+#include <chrono>
 #include <cmath>
 
 #include "estimators/pipeline/inertial/navigation_estimator.hpp"
@@ -7,6 +8,13 @@ namespace drydock::pipeline {
 
 using Eigen::Vector3d;
 using measurement::ImuSample;
+
+namespace {
+
+/// A step of an IMU that was contradicted so shortly before it is the end of a fault.
+constexpr std::chrono::seconds wrong_within{60};
+
+}  // namespace
 
 bool NavigationEstimator::passes_gate(const ImuSample& sample) {
   if (imu_doubted_) imu_trust_.judge(true, sample.origin.valid_at);
@@ -19,12 +27,19 @@ bool NavigationEstimator::passes_gate(const ImuSample& sample) {
   const ImuStep& step = gate_.step();
   ++status_.steps;
   imu_trust_.judge(true, sample.origin.valid_at);
-  if (step.thawed) rate_step_ = force_step_ = Vector3d::Zero();
-  rate_step_ += step.rate;
-  force_step_ += step.force;
+  if (step.thawed || was_wrong(sample.origin.valid_at)) {
+    rate_step_ = force_step_ = Vector3d::Zero();
+  } else {
+    rate_step_ += step.rate;
+    force_step_ += step.force;
+  }
   filter_->loosen_biases(step.rate_sigma, step.force_sigma);
   filter_->loosen(0, step.turn_sigma);
   return true;
+}
+
+bool NavigationEstimator::was_wrong(measurement::Stamp now) const {
+  return aiding_.contradicted(now, wrong_within) || vehicle_trust_.contradicted(now, wrong_within);
 }
 
 ImuSample NavigationEstimator::without_step(const ImuSample& sample) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "estimators/pipeline/inertial/aided_inertial.hpp"
+#include "estimators/pipeline/inertial/lately_corrected.hpp"
 #include "estimators/velocity/velocity_filter.hpp"
 
 namespace drydock::pipeline {
@@ -15,7 +16,14 @@ class PaperInertial final : public AidedInertial {
   void add_imu(const Eigen::Vector3d& angle, const Eigen::Vector3d& velocity, double dt) override;
   Innovations add_height(double height_m) override;
   void step() override {}
-  void settle() override;  ///< steps the navigation, after the velocity filter is up to date
+  /// Steps the navigation, after the velocity filter is up to date. Compares both each second.
+  Innovations settle() override;
+  void doubt_model(bool doubted) override;
+  void restart_model() override;
+  /// Log, DVL and depth are compared with the model, so only the model tells of the navigation.
+  bool diverged(const InnovationWatch& watch) const override {
+    return !doubted_ && watch.contradicts(Aid::model);
+  }
   Innovations update_ground(const Eigen::Vector3d& velocity_body) override {
     filter_.update_velocity(velocity_body);
     return filter_.innovations();
@@ -30,6 +38,7 @@ class PaperInertial final : public AidedInertial {
   void loosen_biases(double rate_sigma, double force_sigma) override {
     aided_.loosen_biases(rate_sigma, force_sigma);
   }
+  void loosen_position(double sigma) override { aided_.loosen_position(sigma); }
 
   const navigation::NavigationState& state() const override { return aided_.state(); }
   const Eigen::Vector3d& gyro_bias() const override { return aided_.gyro_bias(); }
@@ -42,6 +51,8 @@ class PaperInertial final : public AidedInertial {
   }
 
  private:
+  Eigen::Matrix3d velocity_covariance() const;  ///< of the navigation, body axes
+  Innovations compare(const Eigen::Vector3d& model_variance) const;
   velocity::Setting setting() const {
     return {aided_.body_to_ned().toRotationMatrix().transpose(), earth_rate_};
   }
@@ -52,6 +63,9 @@ class PaperInertial final : public AidedInertial {
   Eigen::Vector3d earth_rate_;  ///< NED, rad/s
   double height_sum_ = 0;
   int heights_ = 0;
+  bool doubted_ = false;  ///< the model
+  LatelyCorrected by_model_;
+  double elapsed_s_ = 0, compared_s_ = 0;  ///< since the last step, the last comparison
 };
 
 }  // namespace drydock::pipeline

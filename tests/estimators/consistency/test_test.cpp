@@ -140,5 +140,28 @@ TEST(Test, OfASumThatRestsForHalfAMinuteIsOver) {
   EXPECT_FALSE(residuals.test.fired());
 }
 
+// The last three of ten seconds of learning are of a fault that grows to -2 and ends.
+TEST(Test, ThatLearnedTheBeginOfAFaultLearnsAnewWhenTheFaultIsOver) {
+  Residuals residuals(false);
+  residuals.go(7, 0, 0);
+  residuals.go(3, {0, -0.5}, 0);
+  ASSERT_LT(residuals.test.offset(), -0.15) << "a floor and a half";
+  residuals.go(10, {-0.5, -2}, 0);
+  ASSERT_TRUE(residuals.test.fired());
+  residuals.go(30, 0, 0);
+  EXPECT_FALSE(residuals.test.fired());
+  EXPECT_NEAR(residuals.test.offset(), 0, 1e-9);
+}
+
+// The offset is known for a minute when the fault comes, which then changes its sign.
+TEST(Test, ThatKnewItsOffsetLongBeforeGoesOnToAccuse) {
+  Residuals residuals(false);
+  residuals.go(80, 0, 0);
+  residuals.go(10, -2, 0);
+  residuals.go(60, 2, 0);
+  EXPECT_TRUE(residuals.test.fired());
+  EXPECT_NEAR(residuals.test.offset(), 0, 0.05);
+}
+
 }  // namespace
 }  // namespace drydock::consistency

@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <random>
 
 #include "drivers/measurement/measurement.hpp"
 #include "estimators/frame/attitude.hpp"
@@ -92,6 +93,11 @@ class RestingVehicle {
   double turn_radps = 0;
   Eigen::Vector3d dvl_error = Eigen::Vector3d::Zero();
   double depth_error_m = 0, log_error_mps = 0;
+  Eigen::Vector3d rate_error = Eigen::Vector3d::Zero(), force_error = Eigen::Vector3d::Zero();
+  double rate_noise_radps = 0;  ///< of each sample
+
+  /// The commanded speed that the propeller's rate stands for, m/s, told from now on.
+  std::optional<double> propeller_mps;
 
  private:
   template <class Measurement>
@@ -108,8 +114,17 @@ class RestingVehicle {
     measurement::ImuSample imu;
     imu.angular_rate = to_body * frame::earth_rate_ned(position().latitude_rad) + turning;
     imu.specific_force = to_body * Eigen::Vector3d{0, 0, -earth.gravity_mps2} +
-                         imu.angular_rate.cross(imu.angular_rate.cross(options.imu_lever));
+                         imu.angular_rate.cross(imu.angular_rate.cross(options.imu_lever)) +
+                         force_error;
+    imu.angular_rate += rate_error;
+    if (rate_noise_radps > 0)
+      for (double& rate : imu.angular_rate) rate += rate_noise_radps * normal_(random_);
     send(imu, imu_device);
+    if (tick_ % 10 == 0 && propeller_mps) {
+      measurement::ActuatorState state;
+      state.propeller_radps = *propeller_mps / options.advance_m;
+      send(state, 8);
+    }
     if (tick_ % 10 == 0) {
       measurement::DepthSample depth;
       const Eigen::Vector3d arm = options.depth->lever;
@@ -133,6 +148,8 @@ class RestingVehicle {
 
   double turned_ = 0;
   long tick_ = 0;
+  std::mt19937_64 random_{8};
+  std::normal_distribution<double> normal_;
 };
 
 }  // namespace drydock::pipeline::test
