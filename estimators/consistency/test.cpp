@@ -109,6 +109,7 @@ void Test::learn(const Residual& residual) {
   if (learned()) learns_again_ = !learns_again_ && spread() > wide_floors * facts_.floor;
   if (learns_again_ && learned()) samples_ = 0;
   learned_at_ = last_;
+  young_up_.reset();
 }
 
 /// The offset of a healthy sensor moves slowly: temperature, current, mounting, tide.
@@ -121,6 +122,7 @@ void Test::follow(double dt) {
 
 /// A fault that is over leaves a residual that stays where it is: it begins anew.
 void Test::end_fault(Stamp at) {
+  if (young_up_ == cusum_.is_up()) young_at_ = at;
   if (std::abs(deviation_ - steady_) > 2 * sigma_) {
     steady_ = deviation_;
     steady_since_ = at;
@@ -129,10 +131,11 @@ void Test::end_fault(Stamp at) {
   if (steady_s > steady_for_s && (is_over(steady_s) || was_learned_in_fault(steady_s))) restart();
 }
 
-/// The alarm rose just behind the learning, came back, passed the offset and rests beyond it: so
-/// part of the fault was learned.
+/// An alarm rose just behind the learning, and soon after it the residual rests on the other side
+/// of the offset: so part of the fault was learned.
 bool Test::was_learned_in_fault(double steady_s) const {
-  return since_ - learned_at_ < young && cusum_.is_up() != fired_up_ && steady_s > rests_for_s;
+  return young_up_ && *young_up_ != cusum_.is_up() && since_ - young_at_ < young &&
+         steady_s > rests_for_s;
 }
 
 /// A sum stayed for long enough when the fault, at the mean rate of its rise, would have moved it
@@ -190,7 +193,7 @@ void Test::test(const Residual& residual, Stamp at) {
   }
   if (cusum_.value() >= design.limit && !fired_) {
     fired_ = true;
-    fired_up_ = cusum_.is_up();
+    if (!young_up_ && since_ - learned_at_ < young) young_up_ = cusum_.is_up();
     steady_ = deviation_;
     steady_since_ = at;
   }

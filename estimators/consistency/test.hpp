@@ -123,8 +123,9 @@ class Test {
   double deviation_ = 0, sigma_ = 0;
   double peak_ = 0, peak_sigma_ = 1;
   double usual_rate_ = 0, usual_quantity_ = 0;
-  Stamp last_{}, since_{}, steady_since_{}, learned_at_{};
-  bool fired_ = false, fired_up_ = false, learns_again_ = false;
+  Stamp last_{}, since_{}, steady_since_{}, learned_at_{}, young_at_{};
+  bool fired_ = false, learns_again_ = false;
+  std::optional<bool> young_up_;  ///< the side of the alarm that rose just behind the learning
   Cusum cusum_;
   ShapeTest shape_;
   MaybeLate late_;
