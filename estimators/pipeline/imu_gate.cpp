@@ -70,6 +70,7 @@ void ImuGate::forget() {
   good_.reset();
   run_.reset();
   still_ = 0;
+  lately_count_ = 0;
 }
 
 bool ImuGate::frozen(const Vector6& values) {
@@ -102,6 +103,10 @@ ImuGate::Vector6 ImuGate::margin() const {
   return (gate::noise_times * usual_).cwiseMax(least);
 }
 
+bool ImuGate::within_margin(const Vector6& leap) const {
+  return (leap.cwiseAbs().array() <= margin().array()).all();
+}
+
 bool ImuGate::reachable(const Point& from, const Point& to) const {
   const double dt = seconds(to.at - from.at);
   Vector6 allowed = margin();
@@ -126,8 +131,28 @@ ImuGate::Verdict ImuGate::doubt(const Point& now) {
     stuck_at_ = now.values;
     return Verdict::wild;
   }
+  // The last good sample or the first of the run alone may have been off: then nothing stepped.
+  const Vector6 place = usual_place();
+  run_->leap += good_->values - place;
+  const Vector6 newest = now.values - place - run_->samples * trend_;
+  if (steady && (within_margin(run_->leap) || within_margin(newest)))
+    return believe(now, Verdict::good);
   step_ = step_of_run();
   return believe(now, Verdict::stepped);
+}
+
+// Where the last good sample would have been by the median of the last five, which is two of their
+// intervals older.
+ImuGate::Vector6 ImuGate::usual_place() const {
+  if (lately_count_ < lately_.size()) return good_->values;
+  Vector6 place;
+  for (int i = 0; i < 6; ++i) {
+    std::array<double, 5> values{};
+    std::ranges::transform(lately_, values.begin(), [i](const Vector6& v) { return v(i); });
+    std::ranges::nth_element(values, values.begin() + 2);
+    place(i) = values[2] + 2 * trend_(i);
+  }
+  return place;
 }
 
 ImuStep ImuGate::step_of_run() const {
@@ -186,7 +211,11 @@ void ImuGate::learn_noise(const Vector6& change) {
 }
 
 ImuGate::Verdict ImuGate::believe(const Point& now, Verdict verdict) {
-  if (verdict == Verdict::stepped) still_ = 0;
+  if (verdict == Verdict::stepped) {
+    still_ = 0;
+    lately_count_ = 0;
+  }
+  lately_[lately_count_++ % lately_.size()] = now.values;
   good_ = now;
   run_.reset();
   return verdict;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -63,10 +64,14 @@ class ImuGate {
   void learn_noise(const Vector6& change);
   bool stands_still() const;
   Verdict believe(const Point& now, Verdict verdict);
+  Vector6 usual_place() const;
+  bool within_margin(const Vector6& leap) const;
   Vector6 margin() const;
 
   VehicleLimits limits_;
-  std::optional<Point> good_;            ///< the last good sample
+  std::optional<Point> good_;      ///< the last good sample
+  std::array<Vector6, 5> lately_;  ///< the last good values, a ring
+  std::size_t lately_count_ = 0;
   int still_ = 0;                        ///< changes in a row that are exactly zero
   std::optional<Run> run_;               ///< of samples elsewhere
   std::optional<Vector6> stuck_at_;      ///< the values of a sensor that leapt and then stood still

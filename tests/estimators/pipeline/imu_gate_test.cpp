@@ -66,6 +66,20 @@ TEST(ImuGate, RefusesSingleWildRatesAndForcesAndTakesTheNextSample) {
   }
 }
 
+TEST(ImuGate, ASampleThatIsOffByAlmostTheLimitIsNotThePlaceThatAStepIsCountedFrom) {
+  // The limit is 8 m = 8 x 2 s / sqrt(pi) = .0158 rad/s. A sample that is off by a little less is
+  // good, and the next ones, which are right, can be beyond the limit from there.
+  Sway sway;
+  sway.run(10);
+  int off_and_good = 0, steps = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    off_and_good += sway.next({0.0150, 0, 0}) == Verdict::good;
+    for (int i = 0; i < 99; ++i) steps += sway.next() == Verdict::stepped;
+  }
+  EXPECT_GT(off_and_good, 1000);
+  EXPECT_EQ(steps, 0);
+}
+
 TEST(ImuGate, TakesSamplesThatGoOnToLeapForNoiseAndNoStep) {
   // The eighth sample elsewhere ends the run. Those of a step are as quiet as before it; these
   // change by .012 rad/s each time, six times the usual .002.
