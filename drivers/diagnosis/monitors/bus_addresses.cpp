@@ -41,9 +41,10 @@ void BusAddresses::claim(Owner& owner, std::uint8_t address, Stamp at) {
     if (&other != &owner && other.now == address && !other.lost) other.lost = at;
 }
 
+/// A claim is answered by who held that address before: a node that has gone does not.
 bool BusAddresses::is_contested(const Owner& owner) const {
   return owner.now >= first_without_owner || std::ranges::any_of(owners_, [&](const Owner& other) {
-           return &other != &owner && other.now == owner.now;
+           return &other != &owner && other.now == owner.now && other.claimed >= owner.claimed;
          });
 }
 

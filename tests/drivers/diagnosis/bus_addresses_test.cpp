@@ -106,4 +106,26 @@ TEST_F(BusThatIsWatched, HasANodeWithoutAnAddressAsLongAsItFindsNone) {
   EXPECT_TRUE(signs.has(Sign::address_taken, depth));
 }
 
+// Node 36 had lost its address to another that is off now. So nobody answers when 35 claims it.
+TEST_F(BusThatIsWatched, HasNoTroubleWhereANodeMovesToTheAddressOfOneThatHasGone) {
+  const auto claim = [&](std::uint8_t at, std::uint8_t name) {
+    wire::CanFrame frame = frame_of(id(wire::j1939::address_claim_pgn | 0xFF, at), true);
+    frame.data[7] = name;
+    monitor.take(frame, at_s(now += 0.01));
+  };
+  claim(36, 0xC0);
+  claim(36, 0x80);
+  claim(37, 0xC0);
+  now += 60;
+  claim(35, 0xC1);
+  claim(35, 0x81);
+  claim(36, 0xC1);
+  monitor.look(at_s(now += 0.2));
+  EXPECT_TRUE(signs.has(Sign::address_taken, depth)) << "an answer may come";
+  monitor.look(at_s(now += 0.1));
+  signs.all.clear();
+  monitor.look(at_s(now += 0.1));
+  EXPECT_FALSE(signs.has(Sign::address_taken, depth));
+}
+
 }  // namespace drydock::diagnosis::bus_addresses_test
