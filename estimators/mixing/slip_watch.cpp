@@ -38,7 +38,8 @@ void SlipWatch::step(const Vector3d& force, const Vector3d& rate, const Vector3d
 
 bool SlipWatch::contradicts(double tilt_sigma_rad) const {
   const double by_tilt = gravity_ * span_s_ * tilt_sigma_rad;
-  const double ahead = std::hypot(ahead_mps, by_tilt), across = std::hypot(across_mps, by_tilt);
+  const auto with_tilt = [&](double own) { return std::sqrt(own * own + by_tilt * by_tilt); };
+  const double ahead = with_tilt(ahead_mps), across = with_tilt(across_mps);
   const Vector3d begun = pivot_m * (rate_ - slow_rate_).cwiseAbs();
   const Vector3d allowed =
       limit * Vector3d{ahead, across, across} + Vector3d{0, begun.z(), begun.y()};

@@ -17,6 +17,10 @@ constexpr double manoeuvre_mps2 = 0.5;
 /// other a drift. Chosen.
 constexpr double brief_s = 1, longer_s = 3;
 
+/// They have a step at the pace of a log, so that they cost next to nothing: a tenth of the
+/// briefer.
+constexpr double judge_every_s = 0.1;
+
 std::optional<GroundWitness> witness_of(const MixingOptions& options) {
   if (!options.ground) return {};
   return GroundWitness(
@@ -63,12 +67,23 @@ void MixingEstimator::begin(double speed_mps) {
   speed_mps_ = speed_mps;
   noise_.forget();
   for (auto& slip : slips_) slip.start(speed_mps);
+  force_sum_.setZero();
+  turn_sum_.setZero();
+  since_judged_s_ = 0;
+  implausible_ = false;
 }
 
-bool MixingEstimator::implausible() const {
+void MixingEstimator::judge_motion() {
+  const Eigen::Vector3d force = force_sum_ / since_judged_s_, rate = turn_sum_ / since_judged_s_;
   const double tilt_sigma = std::sqrt(std::max(accuracy_.variance_to_vertical(), 0.0));
-  return std::ranges::any_of(
-      slips_, [&](const mixing::SlipWatch& slip) { return slip.contradicts(tilt_sigma); });
+  implausible_ = false;
+  for (auto& slip : slips_) {
+    slip.step(force, rate, filter_.down(), speed_mps_, since_judged_s_);
+    implausible_ |= slip.contradicts(tilt_sigma);
+  }
+  force_sum_.setZero();
+  turn_sum_.setZero();
+  since_judged_s_ = 0;
 }
 
 void MixingEstimator::loosen_biases(double rate_sigma, double force_sigma) {
@@ -79,8 +94,10 @@ void MixingEstimator::step(const Eigen::Vector3d& force, const Eigen::Vector3d& 
   filter_.step(force, rate, speed_mps_, dt);
   accuracy_.step(filter_.gains().k1, filter_.integral_gain(), filter_.integral_leak(), dt);
   accuracy_.add_gyro_noise(beyond_sheet(noise_.rate_variance() * dt, gyro_noise_), dt);
-  const Eigen::Vector3d down = filter_.down();
-  for (auto& slip : slips_) slip.step(force, rate, down, speed_mps_, dt);
+  force_sum_ += dt * force;
+  turn_sum_ += dt * rate;
+  since_judged_s_ += dt;
+  if (since_judged_s_ >= judge_every_s - dt / 2) judge_motion();
 }
 
 void MixingEstimator::fill(AttitudeEstimate& estimate) const {

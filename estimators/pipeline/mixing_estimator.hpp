@@ -23,7 +23,7 @@ class MixingEstimator final : public ImuDrivenEstimator {
                    double silent_s) override;
   void bridge(const BridgedGap& gap) override { accuracy_.loosen_attitude(gap.angle_sigma_rad); }
   void note(const measurement::ImuSample& sample) override { noise_.add(sample); }
-  bool implausible() const override;
+  bool implausible() const override { return implausible_; }
   bool blind() const override { return true; }
   void loosen_biases(double rate_sigma, double force_sigma) override;
   void step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) override;
@@ -32,12 +32,17 @@ class MixingEstimator final : public ImuDrivenEstimator {
     return {};  // the filter has no innovation: mixing.md, Outliers
   }
   void fill(AttitudeEstimate& estimate) const override;
+  void judge_motion();
 
   mixing::MixingFilter filter_;
   mixing::MixingAccuracy accuracy_;
   double gyro_noise_;  ///< of the sensor's sheet, rad2/s
   SampleNoise noise_;
   std::array<mixing::SlipWatch, 2> slips_;
+  // Since slips_ had their last step: integrals of specific force (m/s) and rate (rad) over a time.
+  Eigen::Vector3d force_sum_ = Eigen::Vector3d::Zero(), turn_sum_ = Eigen::Vector3d::Zero();
+  double since_judged_s_ = 0;
+  bool implausible_ = false;
   double speed_mps_ = 0;
 };
 

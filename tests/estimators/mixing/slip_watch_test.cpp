@@ -46,6 +46,24 @@ TEST(SlipWatch, ABiasOfAGyroIsSeenWhenItsClosedFormSays) {
   EXPECT_NEAR(t, 1.5, 0.1);
 }
 
+TEST(SlipWatch, AStepOfATenthOfASecondSeesTheSameBiasATenthLaterAtMost) {
+  // The same closed form: the roll at the end of a step stands for all of it.
+  constexpr double bias = 1 * degree, step = 0.1;
+  SlipWatch watch(span, gravity);
+  watch.start(0);
+  double t = 0;
+  while (!watch.contradicts(0) && t < 10) {
+    t += step;
+    watch.step({0, 0, -gravity}, Vector3d::Zero(), {0, std::sin(bias * t), std::cos(bias * t)}, 0,
+               step);
+  }
+  const auto slip_at = [&](double at) {
+    return gravity * bias * (span * at - span * span * -std::expm1(-at / span));
+  };
+  EXPECT_GT(slip_at(t), SlipWatch::limit * 0.03 * 0.9);
+  EXPECT_LT(slip_at(t - step), SlipWatch::limit * 0.03);
+}
+
 TEST(SlipWatch, APitchThatIsWrongShowsAheadUnlessTheLogSaysTheSame) {
   Level level(5);
   for (int i = 0; i < 300; ++i) level.step(0, -3 * degree);
