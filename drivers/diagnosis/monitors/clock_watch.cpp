@@ -1,5 +1,6 @@
 #include "drivers/diagnosis/monitors/clock_watch.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace drydock::diagnosis {
@@ -9,6 +10,8 @@ constexpr std::size_t fewest_offsets = 10;
 constexpr double least_limit_s = 0.05;
 /// A clock that shows the time of day, of the week or a counter starts again at such a jump.
 constexpr double longest_jump_s = 40'000;
+/// A sound clock gains or loses by so much against the host's: 1 s in 83 minutes.
+constexpr double own_rate = 200e-6;
 
 }  // namespace
 
@@ -32,7 +35,14 @@ ClockWatch::News ClockWatch::add(std::chrono::nanoseconds device, Stamp arrival,
   const double jump_s = latest_s_ - usual_s_;
   if (std::abs(jump_s) > limit_s_) news.jump_s = jump_s;
   news.aged = std::abs(age_s - usual_age_s_ - jump_s) < limit_s_;
+  if (news.jump_s == 0) keep_pace(jump_s, arrival);
   return news;
+}
+
+void ClockWatch::keep_pace(double jump_s, Stamp arrival) {
+  const double most_s = own_rate * measurement::seconds(arrival - before_.value_or(arrival));
+  usual_s_ += std::clamp(jump_s / 16, -most_s, most_s);
+  before_ = arrival;
 }
 
 void ClockWatch::accept() { usual_s_ = latest_s_; }

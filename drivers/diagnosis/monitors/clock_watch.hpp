@@ -32,13 +32,14 @@ class ClockWatch {
 
  private:
   void learn(double offset_s, double age_s, Stamp arrival);
+  void keep_pace(double jump_s, Stamp arrival);
 
   bool known_ = false;
   bool repeats_when_sound_ = false, goes_back_when_sound_ = false;
   Spread<128> offsets_;  ///< against the first one
   Spread<128> ages_;
   double usual_age_s_ = 0;
-  std::optional<Stamp> first_;
+  std::optional<Stamp> first_, before_;
   double base_s_ = 0, usual_s_ = 0, limit_s_ = 0, latest_s_ = 0;
   std::optional<std::chrono::nanoseconds> last_;
 };

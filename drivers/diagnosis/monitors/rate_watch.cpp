@@ -10,6 +10,9 @@ constexpr double block_s = measurement::seconds(RateWatch::block);
 constexpr double ppm = 1e-6;
 /// So many standard deviations of the slope are significant.
 constexpr double significant = 6;
+/// Quartz changes its rate by less, hot or cold.
+constexpr double possible_ppm = 2000;
+constexpr int usual_after = 150, forgotten_after = 10;  // blocks
 /// The smallest scatter of the earliest arrivals: the resolution of stamps and timers.
 constexpr double least_scatter_s = 20e-6;
 
@@ -71,7 +74,21 @@ void RateWatch::close_block() {
   std::rotate(recent_.begin(), recent_.begin() + 1, recent_.end());
   recent_.back() = earliest_s_;
   known_recent_ = std::min(known_recent_ + 1, recent_.size());
-  change_ppm_ = change_now();
+  note_change(change_now());
+}
+
+void RateWatch::note_change(std::optional<double> change_ppm) {
+  change_ppm_ = change_ppm;
+  if (!change_ppm || std::abs(*change_ppm - steady_ppm_) > limit_ppm_) {
+    steady_ppm_ = change_ppm.value_or(0);
+    steady_blocks_ = 0;
+    return;
+  }
+  if (++steady_blocks_ < (std::abs(steady_ppm_) > possible_ppm ? forgotten_after : usual_after))
+    return;
+  interrupt();
+  known_first_ = 0;
+  steady_blocks_ = 0;
 }
 
 std::optional<double> RateWatch::change_now() const {

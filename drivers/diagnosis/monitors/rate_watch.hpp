@@ -12,7 +12,8 @@ using measurement::Stamp;
 /// The rate of a device's clock against the host's, by the raster in which its messages arrive or
 /// by its own time in them: bus and host only delay a message, so the earliest of each block of
 /// some seconds lies on a line (Mills's filter, RFC 5905). It compares the slope of the last blocks
-/// with that of the device's own first time.
+/// with that of the device's own first time. A rate that stays for ten minutes is the usual one
+/// from then on, and one that no clock has soon: it was learned in a fault.
 class RateWatch {
  public:
   static constexpr std::chrono::seconds block{4};
@@ -41,6 +42,7 @@ class RateWatch {
   void add(double own_s, double late_s);
   void close_block();
   std::optional<double> change_now() const;
+  void note_change(std::optional<double> change_ppm);
 
   double period_s_ = 0;
   std::optional<Stamp> origin_;             ///< of the raster, or of the own time
@@ -54,6 +56,8 @@ class RateWatch {
   std::size_t known_first_ = 0, known_recent_ = 0;
   std::optional<double> change_ppm_;  ///< as of the last whole block
   double usual_slope_ = 0, limit_ppm_ = least_ppm;
+  double steady_ppm_ = 0;  ///< the change, since so many blocks
+  int steady_blocks_ = 0;
 };
 
 }  // namespace drydock::diagnosis

@@ -73,6 +73,28 @@ TEST_F(RateThatIsWatched, IsFasterBy100PartsInAMillion) {
   EXPECT_NEAR(*watch.change_ppm(), 100, 15);
 }
 
+/// A fault while it learned, or a clock that has become warm: a rate that stays is the usual one.
+TEST_F(RateThatIsWatched, HasANewUsualRateAfterTenMinutes) {
+  run(0, 40, 125);
+  run(0, 9 * 60, 25);
+  ASSERT_TRUE(watch.change_ppm());
+  EXPECT_NEAR(*watch.change_ppm(), -100, 15);
+  run(0, 3 * 60, 25);
+  EXPECT_FALSE(watch.change_ppm());
+  run(0, 28, 125);
+  ASSERT_TRUE(watch.change_ppm());
+  EXPECT_NEAR(*watch.change_ppm(), 100, 15) << "against that one";
+}
+
+/// What was learned in a fault that held and crowded messages is no rate of a clock.
+TEST_F(RateThatIsWatched, SoonForgetsARateThatNoClockHas) {
+  run(0, 40, 12'000);
+  run(0, 28, 0);
+  EXPECT_TRUE(watch.change_ppm());
+  run(0, 120, 0);
+  EXPECT_FALSE(watch.change_ppm());
+}
+
 /// The same messages with the device's own time and no raster: pauses of 0.05 s to 0.2 s.
 TEST(RateOfOwnTimes, IsFasterBy200PartsInAMillion) {
   RateWatch watch;

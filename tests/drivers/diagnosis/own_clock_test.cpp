@@ -81,6 +81,25 @@ TEST_F(WithAClock, DriftsAndDoesNotStepWhenThatHasAddedUp) {
   EXPECT_FALSE(signs.has(Sign::late));
 }
 
+/// No change of rate, and nothing that adds up: 50 parts in a million are 0.18 s an hour.
+TEST(AClockOfItsOwnRate, HasNoSignInADay) {
+  Signs signs;
+  TimeMonitor monitor{{.kind = measurement::Kind::dvl,
+                       .protocol = {.clock = wire::DeviceClock::yes},
+                       .nominal_rate_hz = 2},
+                      signs};
+  for (int i = 0; i < 2 * 86'400; ++i) {
+    const double now = 0.5 * i;
+    measurement::Origin origin;
+    origin.received_at = at_s(now);
+    origin.valid_at = at_s(now - 0.08);
+    origin.device_time = measurement::from_seconds(now * (1 - 50e-6));
+    monitor.take(1, origin, false);
+    monitor.look(at_s(now));
+    ASSERT_TRUE(signs.all.empty()) << now << " s";
+  }
+}
+
 /// A receiver at 1 Hz with its own clock, whose line says more while it has a fix.
 struct ReceiverOnALine : testing::Test {
   explicit ReceiverOnALine(std::string_view protocol = "nmea0183")
