@@ -32,6 +32,7 @@ constexpr TestFacts shaft_facts{.floor = 0.025,
                                 .late_s = 0.2,
                                 .scales = true,
                                 .holds = true,
+                                .passes = true,
                                 .quantity = quantity,
                                 .unit = "m/s"};
 

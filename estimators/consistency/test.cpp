@@ -46,7 +46,7 @@ void Test::take(const Residual& residual, Stamp at) {
   if (at - last_ > outage && !fired_) cusum_.clear();
   const double dt = std::clamp(measurement::seconds(at - last_), 0.0, 1.0);
   last_ = at;
-  if (!learned()) return residual.at_fault ? void() : learn(residual);
+  if (!learned()) return residual.at_fault ? void() : learn(residual, dt);
   deviation_ = residual.value - learned_.offset;
   const double usual = spread();
   const double most = square(wildest * usual);
@@ -59,7 +59,7 @@ void Test::take(const Residual& residual, Stamp at) {
   learned_.mean_square += own_share(residual, usual) *
                           (std::min(square(deviation_), most / 4) - learned_.mean_square) /
                           spread_samples;
-  follow(dt);
+  follow(residual, dt);
   keep(at);
 }
 
@@ -93,19 +93,22 @@ void Test::acquit(Stamp since) {
   if (facts_.sum_above <= 0) restart();
 }
 
-void Test::learn(const Residual& residual) {
+void Test::learn(const Residual& residual, double dt) {
   if (samples_ == 0) {
     learned_.offset = residual.value;
     learned_.mean_square = noise_square_ = 0;
     cusum_.clear();
     fired_ = false;
     learned_.trend = 0;
+    learned_.passing = {};
   }
   ++samples_;
   deviation_ = residual.value - learned_.offset;
   learned_.mean_square +=
       own_share(residual, facts_.floor) * (square(deviation_) - learned_.mean_square) / samples_;
-  learned_.offset += deviation_ / std::min(samples_, first_memory);
+  learned_.offset +=
+      deviation_ * (facts_.passes ? learned_.passing.take(facts_.floor, residual.sigma, dt)
+                                  : 1.0 / std::min(samples_, first_memory));
   if (learned()) learns_again_ = !learns_again_ && spread() > wide_floors * facts_.floor;
   if (learns_again_ && learned()) samples_ = 0;
   learned_at_ = last_;
@@ -113,7 +116,9 @@ void Test::learn(const Residual& residual) {
 }
 
 /// The offset of a healthy sensor moves slowly: temperature, current, mounting, tide.
-void Test::follow(double dt) {
+void Test::follow(const Residual& residual, double dt) {
+  if (facts_.passes && !learned_.passing.is_known(facts_.floor))
+    learned_.offset += deviation_ * learned_.passing.take(facts_.floor, residual.sigma, dt);
   const double most = facts_.wander * dt;
   learned_.trend = std::clamp(learned_.trend + deviation_ * dt / (follow_s * trend_s),
                               -facts_.trend, facts_.trend);
@@ -158,8 +163,9 @@ double Test::spread() const {
 }
 
 double Test::sigma_of(const Residual& residual, double spread) const {
+  const double of_offset = facts_.passes ? learned_.passing.variance(facts_.floor) : 0;
   return std::sqrt(std::max(square(spread), noise_square_) + square(facts_.late_s * residual.rate) +
-                   square(residual.sigma));
+                   square(residual.sigma) + of_offset);
 }
 
 /// An alarm ends because the residual is back, not because less is known now than usual.

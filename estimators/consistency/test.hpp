@@ -9,6 +9,7 @@
 #include "estimators/consistency/cusum.hpp"
 #include "estimators/consistency/freeze.hpp"
 #include "estimators/consistency/maybe_late.hpp"
+#include "estimators/consistency/passing_error.hpp"
 #include "estimators/consistency/shape.hpp"
 
 namespace drydock::consistency {
@@ -29,6 +30,9 @@ struct TestFacts {
   bool may_be_late = false;
   bool scales = false;  ///< a wrong factor is possible: the quantity has a zero
   bool holds = false;   ///< what is not known now ends no alarm
+  /// What is not known now errs by the same for some seconds and then passes: an offset that was
+  /// learned meanwhile is not known better.
+  bool passes = false;
   std::string_view quantity, unit;
   double unit_si = 1;  ///< one unit in SI
 };
@@ -96,8 +100,8 @@ class Test {
   static constexpr int learning_samples = 50;
 
  private:
-  void learn(const Residual& residual);
-  void follow(double dt);
+  void learn(const Residual& residual, double dt);
+  void follow(const Residual& residual, double dt);
   void keep(Stamp at);
   void end_fault(Stamp at);
   bool is_over(double steady_s) const;
@@ -112,6 +116,7 @@ class Test {
   /// What it knows of the residual in usual times.
   struct Learned {
     double offset = 0, trend = 0, mean_square = 0;
+    PassingError passing;
     Stamp at{};  ///< when it was kept; none: never
   };
 

@@ -140,6 +140,19 @@ TEST(Test, OfASumThatRestsForHalfAMinuteIsOver) {
   EXPECT_FALSE(residuals.test.fired());
 }
 
+/// The first ten seconds are a turn in which the law of a shaft errs by 0.17 m/s, as it may.
+TEST(Test, OfWhatPassesKnowsItsOffsetNoBetterThanWhatItLearnedItFrom) {
+  Residuals residuals(TestFacts{.floor = 0.025, .holds = true, .passes = true});
+  residuals.go(10, 0.17, 0.2);
+  for (int i = 0; i < 60; ++i) {
+    residuals.go(1, 0, 0.01);
+    ASSERT_FALSE(residuals.test.fired()) << i << " s behind the turn";
+  }
+  EXPECT_NEAR(residuals.test.offset(), 0, 0.01);
+  residuals.go(4, 0.17, 0.01);
+  EXPECT_TRUE(residuals.test.fired());
+}
+
 // The last three of ten seconds of learning are of a fault that grows to -2 and ends.
 TEST(Test, ThatLearnedTheBeginOfAFaultLearnsAnewWhenTheFaultIsOver) {
   Residuals residuals(false);
