@@ -93,11 +93,24 @@ void MixingEstimator::loosen_biases(double rate_sigma, double force_sigma) {
 void MixingEstimator::step(const Eigen::Vector3d& force, const Eigen::Vector3d& rate, double dt) {
   filter_.step(force, rate, speed_mps_, dt);
   accuracy_.step(filter_.gains().k1, filter_.integral_gain(), filter_.integral_leak(), dt);
-  accuracy_.add_gyro_noise(beyond_sheet(noise_.rate_variance() * dt, gyro_noise_), dt);
+  add_noise(dt);
   force_sum_ += dt * force;
   turn_sum_ += dt * rate;
   since_judged_s_ += dt;
   if (since_judged_s_ >= judge_every_s - dt / 2) judge_motion();
+}
+
+// What is learned lags behind a noise that grows: with a gain of 1/n for each sample, the variance
+// that is missing after any number of samples is n times what is learned.
+void MixingEstimator::add_noise(double dt) {
+  const double beyond = beyond_sheet(noise_.rate_variance() * dt, gyro_noise_);
+  accuracy_.add_gyro_noise(beyond, dt);
+  if (beyond > most_beyond_) {
+    accuracy_.add_gyro_noise(beyond - most_beyond_, SampleNoise::samples * dt);
+    most_beyond_ = beyond;
+  } else if (beyond == 0) {
+    most_beyond_ = 0;
+  }
 }
 
 void MixingEstimator::fill(AttitudeEstimate& estimate) const {

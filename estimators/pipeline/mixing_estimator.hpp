@@ -33,11 +33,13 @@ class MixingEstimator final : public ImuDrivenEstimator {
   }
   void fill(AttitudeEstimate& estimate) const override;
   void judge_motion();
+  void add_noise(double dt);
 
   mixing::MixingFilter filter_;
   mixing::MixingAccuracy accuracy_;
   double gyro_noise_;  ///< of the sensor's sheet, rad2/s
   SampleNoise noise_;
+  double most_beyond_ = 0;  ///< the sheet, rad2/s, since the noise was last within it
   std::array<mixing::SlipWatch, 2> slips_;
   // Since slips_ had their last step: integrals of specific force (m/s) and rate (rad) over a time.
   Eigen::Vector3d force_sum_ = Eigen::Vector3d::Zero(), turn_sum_ = Eigen::Vector3d::Zero();

@@ -6,8 +6,7 @@ namespace drydock::pipeline {
 
 namespace {
 
-/// Weight of a new square: a mean over the last 100, a second of a common IMU.
-constexpr double newest_share = 0.01;
+constexpr double newest_share = 1 / SampleNoise::samples;
 
 /// Where an interval differs by more than this share from the one before, a sample is missing.
 constexpr double uneven = 0.4;

@@ -11,6 +11,10 @@ namespace drydock::pipeline {
 /// nothing to it. Allocates nothing.
 class SampleNoise {
  public:
+  /// It is a mean over so many samples, the latest counted most. A noise that begins has had this
+  /// number of samples of the same variance more than the sum of what was learned since.
+  static constexpr double samples = 100;
+
   /// Samples must be newer than the sample before.
   void add(const measurement::ImuSample& sample);
   /// Forgets the last samples, because of a gap. What was learned stays.

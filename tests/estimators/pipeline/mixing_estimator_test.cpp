@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
-#include "tests/estimators/pipeline/support.hpp"
+#include "tests/estimators/pipeline/vehicle_ahead.hpp"
 
 namespace drydock::pipeline::mixing_estimator_test {
 namespace {
@@ -98,6 +99,27 @@ TEST(MixingEstimator, WithoutASpeedLogItIsRefusedInOneLine) {
   std::get<MixingOptions>(options.estimators[0].kind).log.reset();
   EXPECT_EQ(make_pipeline(options, estimates).error().message,
             "estimator 'attitude': mixing needs a speed log, allowed: log = a device");
+}
+
+TEST(MixingEstimator, NoiseThatBeginsIsInTheCovarianceFromItsFirstSamplesOn) {
+  // White noise s of samples T apart turns the attitude by a random walk of variance s^2 T^2 a
+  // sample. It is learned as a mean over 100 samples, so what was learned adds up to less than half
+  // of that in the first 150. The gain .1 takes a quarter of it off at most.
+  constexpr double sheet = 4.363e-3, noise = 0.012, period_s = 0.01;  // rad/s a sample
+  test::Ahead bench(test::mixing_kind());
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  const auto run = [&](int samples, double sigma) {
+    for (int i = 0; i < samples; ++i) {
+      for (double& rate : bench.rate_error) rate = sigma * normal(random);
+      bench.run(period_s);
+    }
+    return bench.estimates.all.back().covariance(1, 1);
+  };
+  const double before = run(6000, sheet), after = run(150, noise);
+  const double expected = 150 * std::pow(noise * period_s, 2);
+  EXPECT_GT(after - before, 0.6 * expected);
+  EXPECT_LT(after - before, 1.3 * expected);
 }
 
 }  // namespace
