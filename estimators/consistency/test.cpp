@@ -101,8 +101,10 @@ void Test::learn(const Residual& residual, double dt) {
     fired_ = false;
     learned_.trend = 0;
     learned_.passing = {};
+    first_.clear();
   }
   ++samples_;
+  first_.add(residual.value);
   deviation_ = residual.value - learned_.offset;
   learned_.mean_square +=
       own_share(residual, facts_.floor) * (square(deviation_) - learned_.mean_square) / samples_;
@@ -110,9 +112,19 @@ void Test::learn(const Residual& residual, double dt) {
       deviation_ * (facts_.passes ? learned_.passing.take(facts_.floor, residual.sigma, dt)
                                   : 1.0 / std::min(samples_, first_memory));
   if (learned()) learns_again_ = !learns_again_ && spread() > wide_floors * facts_.floor;
+  if (learned() && !drifts()) {
+    learned_.offset = first_.median();
+    learned_.mean_square = first_.mean_square();
+  }
   if (learns_again_ && learned()) samples_ = 0;
   learned_at_ = last_;
   young_up_.reset();
+}
+
+/// A sum, what is compared with one, and what errs by the same for long: there the last of the
+/// first samples tell the offset, not the middle one.
+bool Test::drifts() const {
+  return facts_.sum_above <= 0 || facts_.others_wander > 0 || facts_.passes;
 }
 
 /// The offset of a healthy sensor moves slowly: temperature, current, mounting, tide.

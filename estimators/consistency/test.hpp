@@ -7,6 +7,7 @@
 
 #include "drivers/diagnosis/sign.hpp"
 #include "estimators/consistency/cusum.hpp"
+#include "estimators/consistency/first_residuals.hpp"
 #include "estimators/consistency/freeze.hpp"
 #include "estimators/consistency/maybe_late.hpp"
 #include "estimators/consistency/passing_error.hpp"
@@ -102,6 +103,7 @@ class Test {
  private:
   void learn(const Residual& residual, double dt);
   void follow(const Residual& residual, double dt);
+  bool drifts() const;
   void keep(Stamp at);
   void end_fault(Stamp at);
   bool is_over(double steady_s) const;
@@ -130,6 +132,7 @@ class Test {
   double usual_rate_ = 0, usual_quantity_ = 0;
   Stamp last_{}, since_{}, steady_since_{}, learned_at_{}, young_at_{};
   bool fired_ = false, learns_again_ = false;
+  FirstResiduals<learning_samples> first_;
   std::optional<bool> young_up_;  ///< the side of the alarm that rose just behind the learning
   Cusum cusum_;
   ShapeTest shape_;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
 
 namespace drydock::consistency {
 namespace {
@@ -154,8 +156,8 @@ TEST(Test, OfWhatPassesKnowsItsOffsetNoBetterThanWhatItLearnedItFrom) {
 }
 
 // The last three of ten seconds of learning are of a fault that grows to -2 and ends.
-TEST(Test, ThatLearnedTheBeginOfAFaultLearnsAnewWhenTheFaultIsOver) {
-  Residuals residuals(false);
+TEST(Test, BesideASumThatLearnedTheBeginOfAFaultLearnsAnewWhenTheFaultIsOver) {
+  Residuals residuals(TestFacts{.floor = 0.1, .others_wander = 0.001});
   residuals.go(7, 0, 0);
   residuals.go(3, {0, -0.5}, 0);
   ASSERT_LT(residuals.test.offset(), -0.15) << "a floor and a half";
@@ -174,6 +176,32 @@ TEST(Test, ThatKnewItsOffsetLongBeforeGoesOnToAccuse) {
   residuals.go(60, 2, 0);
   EXPECT_TRUE(residuals.test.fired());
   EXPECT_NEAR(residuals.test.offset(), 0, 0.05);
+}
+
+// Twenty of the first fifty samples are of a fault that is over before the learning is.
+TEST(Test, LearnsTheOffsetThoughAFaultIsInItsFirstSamples) {
+  Residuals residuals(false);
+  residuals.go(4, 0, 0);
+  residuals.go(4, 0.45, 0);
+  residuals.go(2, 0, 0);
+  ASSERT_TRUE(residuals.test.learned());
+  EXPECT_NEAR(residuals.test.offset(), 0, 1e-9);
+  residuals.go(60, 0, 0);
+  EXPECT_FALSE(residuals.test.fired());
+}
+
+// The quantiles of a Gaussian distribution: its median is 0 and its variance 1.
+TEST(FirstResiduals, TellMiddleAndScatterOfSamplesOfWhichSomeAreWild) {
+  FirstResiduals<50> gaussian, wild;
+  for (int i = 0; i < 50; ++i) {
+    const double sample = quantile(boost::math::normal(), (i + 0.5) / 50);
+    gaussian.add(sample);
+    wild.add(i % 5 == 0 ? 1000 : sample);  // each fifth
+  }
+  EXPECT_NEAR(gaussian.median(), 0, 0.03);
+  EXPECT_NEAR(gaussian.mean_square(), 1, 0.05);
+  EXPECT_LT(std::abs(wild.median()), 0.5) << "of a deviation: the quantile of 5 / 8 is 0.32";
+  EXPECT_LT(wild.mean_square(), 5);
 }
 
 }  // namespace
