@@ -33,6 +33,7 @@ constexpr TestFacts shaft_facts{.floor = 0.025,
                                 .scales = true,
                                 .holds = true,
                                 .passes = true,
+                                .is_often_equal = true,
                                 .quantity = quantity,
                                 .unit = "m/s"};
 

@@ -27,6 +27,8 @@ constexpr double spread_samples = 300;  // memory of the spread
 constexpr double noise_samples = 10;    // memory of the noise from sample to sample
 constexpr double wildest = 10;          // sigmas; more does not count as noise
 
+/// Of the deviation: so far the others have moved at least from what has stopped.
+constexpr double moved_share = 0.5;
 constexpr double late_share = 0.4;  // what a latency leaves of what a step or a ramp leaves
 
 /// What scatters so much in its first samples may have been at fault in some: it learns once more.
@@ -202,6 +204,7 @@ void Test::test(const Residual& residual, Stamp at) {
     peak_ = deviation_;
     peak_sigma_ = sigma_;
   }
+  moved_ = std::max(was_quiet ? 0 : moved_, std::abs(residual.quantity - usual_quantity_));
   if (was_quiet) {
     shape_.clear();
     late_.clear();
@@ -240,7 +243,9 @@ Test::Late Test::late() const {
 bool Test::is_open(const Freeze* own) const { return late() == Late::open && !has_stopped(own); }
 
 Sign Test::sign(const Freeze* own) const {
-  if (has_stopped(own)) return own->jumped() ? Sign::offset : Sign::stuck;
+  const bool moved = !facts_.is_often_equal || moved_ > moved_share * std::abs(peak_);
+  if (has_stopped(own) && own->jumped()) return Sign::offset;
+  if (has_stopped(own) && moved) return Sign::stuck;
   if (late() == Late::yes) return Sign::delayed;
   switch (shape_.best()) {
     case Shape::step: return facts_.sum_above > 0 ? Sign::offset : Sign::step;

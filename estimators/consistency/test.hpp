@@ -34,6 +34,8 @@ struct TestFacts {
   /// What is not known now errs by the same for some seconds and then passes: an offset that was
   /// learned meanwhile is not known better.
   bool passes = false;
+  /// It repeats one value while nothing happens: it has stopped if the others move from it.
+  bool is_often_equal = false;
   std::string_view quantity, unit;
   double unit_si = 1;  ///< one unit in SI
 };
@@ -128,7 +130,7 @@ class Test {
   std::array<Learned, 2> kept_{};  ///< as it was some time ago, and some time before
   double steady_ = 0, noise_square_ = 0;
   double deviation_ = 0, sigma_ = 0;
-  double peak_ = 0, peak_sigma_ = 1;
+  double peak_ = 0, peak_sigma_ = 1, moved_ = 0;
   double usual_rate_ = 0, usual_quantity_ = 0;
   Stamp last_{}, since_{}, steady_since_{}, learned_at_{}, young_at_{};
   bool fired_ = false, learns_again_ = false;

@@ -155,6 +155,22 @@ TEST(Test, OfWhatPassesKnowsItsOffsetNoBetterThanWhatItLearnedItFrom) {
   EXPECT_TRUE(residuals.test.fired());
 }
 
+/// A shaft that turns steadily says one value again and again.
+TEST(Test, OfWhatIsOftenEqualSaysThatItHasStoppedWhereTheOthersMoveFromIt) {
+  for (const bool others_move : {true, false}) {
+    consistency::Test test(TestFacts{.floor = 0.025, .is_often_equal = true});
+    Freeze own;
+    for (int i = 0; i < 150; ++i) {
+      const Stamp at = Stamp{std::chrono::milliseconds{100'000 + 200 * i}};
+      const double off = std::max(0, i - 100) * 0.01;
+      own.see(at, 0);
+      test.take({.value = off, .quantity = 2 - (others_move ? off : 0)}, at);
+    }
+    ASSERT_TRUE(test.fired());
+    EXPECT_EQ(test.sign(&own), others_move ? diagnosis::Sign::stuck : diagnosis::Sign::ramp);
+  }
+}
+
 // The last three of ten seconds of learning are of a fault that grows to -2 and ends.
 TEST(Test, BesideASumThatLearnedTheBeginOfAFaultLearnsAnewWhenTheFaultIsOver) {
   Residuals residuals(TestFacts{.floor = 0.1, .others_wander = 0.001});
