@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "estimators/pipeline/gate_limits.hpp"
 
@@ -25,6 +27,12 @@ bool RateGate::believes(measurement::Stamp at, double rate_radps) {
   if (agreeing_ < gate::step_samples && seconds(at - good_->at) < gate::longest_doubt_s)
     return false;
   return take(now);
+}
+
+// The mean absolute difference of two normal values is 2 / root pi of their sigma.
+double RateGate::noise() const {
+  if (learned_ < gate::learn_samples) return std::numeric_limits<double>::infinity();
+  return usual_ / (2 * std::numbers::inv_sqrtpi);
 }
 
 bool RateGate::stands_still(double rate) {

@@ -18,6 +18,8 @@ class RateGate {
 
   /// True: use it. Samples must be newer than the sample before.
   bool believes(measurement::Stamp at, double rate_radps);
+  /// One sigma of the noise of a sample, rad/s; without limit until it is learned.
+  double noise() const;
   /// Forgets the last sample, because of a gap. The noise stays known.
   void forget();
 

@@ -88,6 +88,7 @@ Outcome RollEstimator::take(const ImuSample& sample, EstimateListener& listener)
     ++status_.wild;
     return Outcome::refused;
   }
+  if (const double leap = leap_.add(rate, gate_.noise()); leap != 0) filter_.loosen_bias(leap);
   if (imu_doubted_ || gnss_doubted_) trust_.judge(true, at);
   if (!gyro_.empty()) {
     const double dt = seconds(at - last_);
@@ -99,11 +100,6 @@ Outcome RollEstimator::take(const ImuSample& sample, EstimateListener& listener)
   last_ = at;
   if (filter_.running() && knows_axis(at)) emit(listener);
   return Outcome::accepted;
-}
-
-void RollEstimator::doubt(std::uint16_t device, bool doubted) {
-  if (device == imu_) imu_doubted_ = doubted;
-  if (device == gnss_) gnss_doubted_ = doubted;
 }
 
 Outcome RollEstimator::take(const GnssFix& fix, EstimateListener&) {
@@ -205,6 +201,7 @@ void RollEstimator::stop() {
   status_.state = EstimatorState::waiting_for_imu;
   filter_.restart();
   gate_.forget();
+  leap_.forget();
   gyro_.clear();
   axis_.reset();
   timing_.clear();

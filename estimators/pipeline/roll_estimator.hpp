@@ -7,6 +7,7 @@
 #include "estimators/pipeline/gyro_angle.hpp"
 #include "estimators/pipeline/options.hpp"
 #include "estimators/pipeline/rate_gate.hpp"
+#include "estimators/pipeline/rate_leap.hpp"
 #include "estimators/pipeline/trust.hpp"
 #include "estimators/roll/all_satellites.hpp"
 
@@ -27,7 +28,10 @@ class RollEstimator final : public Estimator {
   Outcome take(const measurement::ImuSample& sample, EstimateListener& listener) override;
   Outcome take(const measurement::GnssFix& fix, EstimateListener& listener) override;
   Outcome take(const measurement::GnssSatellites& sky, EstimateListener& listener) override;
-  void doubt(std::uint16_t device, bool doubted) override;
+  void doubt(std::uint16_t device, bool doubted) override {
+    if (device == imu_) imu_doubted_ = doubted;
+    if (device == gnss_) gnss_doubted_ = doubted;
+  }
   const EstimatorStatus& status() const override { return status_; }
 
   const roll::AllSatellites& filter() const { return filter_; }
@@ -59,6 +63,7 @@ class RollEstimator final : public Estimator {
   measurement::Stamp epoch_{};  ///< the last one that was used
   roll::AllSatellites filter_;
   RateGate gate_;
+  RateLeap leap_;
   FixTiming timing_;
   Trust trust_;  ///< of the satellites in the roll, and of findings in its devices
   bool imu_doubted_ = false, gnss_doubted_ = false;  ///< by a finding

@@ -37,6 +37,10 @@ void AllSatellites::loosen() {
   watch_.clear();
 }
 
+void AllSatellites::loosen_bias(double sigma_radps) {
+  for (Hypothesis& h : hypotheses_) h.loosen(0, sigma_radps);
+}
+
 void AllSatellites::predict(double rate_radps, double dt) {
   since_epoch_s_ += dt;
   for (Hypothesis& h : hypotheses_) h.predict(options_, rate_radps, dt);

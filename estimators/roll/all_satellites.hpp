@@ -22,6 +22,8 @@ class AllSatellites {
   /// The signals contradict the roll: it is uncertain by the error that they tell, and the gyro's
   /// bias as much as at the start.
   void loosen();
+  /// The gyro's bias may have changed by this sigma, rad/s.
+  void loosen_bias(double sigma_radps);
 
   bool running() const { return !hypotheses_.empty(); }
   double roll() const;  ///< of the most likely hypothesis, (-pi, pi]

@@ -49,6 +49,15 @@ struct Flown {
         largest = std::max(largest, error_rad(estimate, rocket) / degree);
     return largest;
   }
+  double nees_while_valid(const Rocket& rocket, int from_ms) const {
+    double sum = 0, valid = 0;
+    for (const auto& estimate : estimates.all) {
+      if (!estimate.integrity.valid || estimate.valid_at < test::at_ms(from_ms)) continue;
+      ++valid;
+      sum += std::pow(error_rad(estimate, rocket), 2) / estimate.covariance(0, 0);
+    }
+    return sum / valid;
+  }
   double valid_share(int from_ms) const {
     double valid = 0, all = 0;
     for (const auto& estimate : estimates.all) {
@@ -104,6 +113,16 @@ TEST(RollIntegrity, AGyroThatIsWrongMakesTheRollInvalidUntilItIsRightAgain) {
     EXPECT_LT(biased.wrong_while_valid_s(rocket), 2) << wrong_degps;
     EXPECT_LT(biased.largest_error_deg(rocket, fault_until_ms + 20'000), 2) << wrong_degps;
     EXPECT_GT(biased.valid_share(fault_until_ms + 20'000), 0.99) << wrong_degps;
+  }
+}
+
+TEST(RollIntegrity, AGyroThatLeapsHasANewBiasThatTheSignalsFindWhileTheRollIsValid) {
+  for (const double leap_degps : {1.0, -2.0, 3.0}) {
+    Rocket rocket;
+    const auto leapt = flown(rocket, [&](int, double rate) { return rate + leap_degps * degree; });
+    EXPECT_EQ(leapt.wrong_while_valid_s(rocket), 0) << leap_degps;
+    EXPECT_LT(leapt.nees_while_valid(rocket, fault_from_ms), 3) << leap_degps;
+    EXPECT_GT(leapt.valid_share(fault_from_ms), 0.7) << leap_degps;
   }
 }
 
