@@ -45,10 +45,18 @@ void add_history(Explains& sum, const Accusation& own, Stamp since) {
   sum.surprise = std::max(sum.surprise, own.freeze->surprise(since));
 }
 
-Explains explains(std::uint16_t device, const Accusations& accusations, Stamp since) {
+/// One of the devices is guilty by other evidence, which has told it already.
+bool is_explained(const Accusation& accusation, const Doubts& doubts) {
+  return std::ranges::any_of(accusation.devices,
+                             [&](std::uint16_t device) { return doubts.is_guilty(device); });
+}
+
+/// A test that another device explains says nothing of this one.
+Explains explains(std::uint16_t device, const Accusations& accusations, const Doubts& doubts,
+                  Stamp since) {
   Explains sum;
   for (const Accusation& one : accusations) {
-    if (!contains(one.devices, device)) continue;
+    if (!contains(one.devices, device) || is_explained(one, doubts)) continue;
     if (one.test->suspicion() < quiet_below) {
       ++sum.quiet;
       continue;
@@ -60,24 +68,18 @@ Explains explains(std::uint16_t device, const Accusations& accusations, Stamp si
 }
 
 /// The device of a fired test that explains most; `alone`: better than the others.
-Named best_of(const Accusation& fired, const Accusations& accusations) {
+Named best_of(const Accusation& fired, const Accusations& accusations, const Doubts& doubts) {
   Named best{.device = fired.devices.front(), .by = &fired};
-  Explains most = explains(best.device, accusations, fired.test->since());
+  Explains most = explains(best.device, accusations, doubts, fired.test->since());
   for (const auto device : fired.devices) {
     if (device == best.device) continue;
-    const Explains its = explains(device, accusations, fired.test->since());
+    const Explains its = explains(device, accusations, doubts, fired.test->since());
     best.alone = most < its || its < most;
     if (!(most < its)) continue;
     most = its;
     best.device = device;
   }
   return best;
-}
-
-/// One of the devices is guilty by other evidence, which has told it already.
-bool is_explained(const Accusation& fired, const Doubts& doubts) {
-  return std::ranges::any_of(fired.devices,
-                             [&](std::uint16_t device) { return doubts.is_guilty(device); });
 }
 
 }  // namespace
@@ -108,7 +110,7 @@ Parity::Names Parity::name(const Accusations& accusations, const Doubts& doubts,
   for (const Accusation& one : accusations)
     if (one.test->fired() && !is_named(names, one.devices) && !is_explained(one, doubts) &&
         now - one.test->since() > patience)
-      add(held(one, best_of(one, accusations)));
+      add(held(one, best_of(one, accusations, doubts)));
   held_.erase(std::remove_if(held_.begin(), held_.end(),
                              [](const Held& one) { return !one.test->fired(); }),
               held_.end());
