@@ -69,6 +69,7 @@ void LevelingEstimator::loosen_biases(double rate_sigma, double force_sigma) {
 void LevelingEstimator::forget_innovations() {
   constraints_.clear();
   log_.clear();
+  by_log_.forget();
 }
 
 void LevelingEstimator::believe_log(double change_mps) {
@@ -76,12 +77,23 @@ void LevelingEstimator::believe_log(double change_mps) {
   log_.clear();
 }
 
+// A log that begins to contradict was wrong before that too.
+template <class Filter>
+void LevelingEstimator::doubt_log(Filter& filter) {
+  const bool contradicts = log_.contradicts();
+  if (contradicts && !log_contradicts_) by_log_.doubt(filter);
+  log_contradicts_ = contradicts;
+}
+
 LevelingEstimator::Correction LevelingEstimator::correct(double speed_mps, bool trusted) {
   return std::visit(
       [&](auto& filter) {
+        const LogEffect::Parts before = LogEffect::parts_of(filter);
         filter.update_moving(speed_mps, trusted);
-        const auto& log = filter.innovation().log;
+        by_log_.add(before, LogEffect::parts_of(filter));
+        const auto log = filter.innovation().log;
         log_.add(log->value / log->sigma);
+        doubt_log(filter);
         return Correction{log->used, log};
       },
       filter_);
@@ -91,6 +103,7 @@ void LevelingEstimator::step(const Eigen::Vector3d& force, const Eigen::Vector3d
   std::visit(
       [&](auto& filter) {
         filter.predict(force, rate, dt);
+        by_log_.wait(dt);
         if (stationary_) {
           filter.update_stationary();
         } else {

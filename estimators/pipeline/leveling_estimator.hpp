@@ -4,6 +4,7 @@
 #include "estimators/navigation/innovation_window.hpp"
 #include "estimators/pipeline/constraint_watch.hpp"
 #include "estimators/pipeline/inertial/imu_driven_estimator.hpp"
+#include "estimators/pipeline/log_effect.hpp"
 
 namespace drydock::pipeline {
 
@@ -26,11 +27,15 @@ class LevelingEstimator final : public ImuDrivenEstimator {
   void forget_innovations() override;
   void believe_log(double change_mps) override;
   Correction correct(double speed_mps, bool trusted) override;
+  template <class Filter>
+  void doubt_log(Filter& filter);
   void fill(AttitudeEstimate& estimate) const override;
 
   bool stationary_;
   ConstraintWatch constraints_;
   navigation::InnovationWindow log_;
+  LogEffect by_log_;
+  bool log_contradicts_ = false;
   double bias_variance_;  ///< of roll and pitch, rad2: what the filter has no states for
   leveling::AnyLevelingFilter filter_;
 };

@@ -184,5 +184,25 @@ TEST(Leveling, WhoseLogIsWrongGoesOnWithoutIt) {
   EXPECT_EQ(bench.status().divergences, 0u);
 }
 
+TEST(Leveling, WhoseLogDriftsDoubtsWhatItDidBeforeItContradicted) {
+  Ahead bench(leveling_kind()), sound(leveling_kind());
+  bench.run(60);
+  sound.run(60);
+  for (int i = 0; i < 300 && bench.valid(); ++i) {
+    bench.log_error += 0.05 * 0.1;
+    bench.run(0.1);
+    sound.run(0.1);
+  }
+  EXPECT_FALSE(bench.valid());
+  const auto &wrong = bench.estimates.all.back(), &right = sound.estimates.all.back();
+  ASSERT_EQ(wrong.valid_at, right.valid_at);
+  // The pitch went with the log's acceleration. Its variance is more by about the square of that.
+  const double moved = std::abs(wrong.pitch_rad - right.pitch_rad);
+  const double more = wrong.covariance(1, 1) - right.covariance(1, 1);
+  EXPECT_GT(moved, 0.003 * one_degree);
+  EXPECT_GT(more, 0.5 * moved * moved);
+  EXPECT_LT(more, 4 * moved * moved);
+}
+
 }  // namespace
 }  // namespace drydock::pipeline
