@@ -123,8 +123,7 @@ navigation::Innovations ReckoningFilter::compare(const Vector2d& ground, const V
 
 navigation::Innovations ReckoningFilter::fix(Vector2d& offset, double sigma_m) {
   const double variance = square(sigma_m);
-  const auto rows =
-      update({{{Row::Unit(0), offset(0), variance}, {Row::Unit(1), offset(1), variance}}});
+  auto rows = update({{{Row::Unit(0), offset(0), variance}, {Row::Unit(1), offset(1), variance}}});
   offset = errors_.head<2>();
   errors_.head<2>().setZero();
   return rows;
