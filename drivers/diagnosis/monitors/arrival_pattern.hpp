@@ -30,21 +30,33 @@ class ArrivalPattern {
   bool bunched() const {
     constexpr int fewest = 5, fewest_of_8 = 3;
     constexpr double shortest_s = 1.2;  // of all those pauses
+    if (held_by_less_than_two()) return true;
     return std::popcount(crowded_ & 0xFFU) >= fewest_of_8 && pauses_in_a_row_ >= fewest &&
            alike(pauses_, 0.03) && fewest * pauses_[0] > shortest_s;
   }
   /// All intervals of the last time are longer (or shorter) than the period by one factor, each of
   /// them or in turn. 1: they are not.
   double slower(double period_s) const {
-    constexpr double shortest_s = 0.5;
-    return other_s_ > shortest_s ? intervals_[0] / period_s : thinned_;
+    if (held_by_less_than_two()) return 1;
+    return other_s_ > alike_for_s ? intervals_[0] / period_s : thinned_;
   }
   /// Length of the last pauses together.
-  double pauses_s() const { return static_cast<double>(pauses_.size()) * pauses_[0]; }
+  double pauses_s() const {
+    const double pause_s = held_by_less_than_two() ? intervals_[0] : pauses_[0];
+    return static_cast<double>(pauses_.size()) * pause_s;
+  }
 
  private:
   static constexpr double long_interval = 1.6;  ///< periods
   static constexpr double least_change = 0.2;   ///< of a rate
+  static constexpr double alike_for_s = 0.5;
+
+  /// Pauses between one and two periods: not each has a second message behind it. A slow sensor
+  /// sends no message right behind another.
+  bool held_by_less_than_two() const {
+    return other_s_ > alike_for_s && std::popcount(crowded_ & 0xFFFFU) >= 2 &&
+           alike(intervals_, 0.03);
+  }
   template <std::size_t N>
   static bool alike(const std::array<double, N>& intervals, double spread) {
     const auto [least, most] = std::ranges::minmax(intervals);

@@ -121,6 +121,17 @@ TEST(ArrivalPattern, OfMessagesThatWereHeldOneSecondIsBunched) {
   EXPECT_TRUE(pattern_of(arrivals).bunched());
 }
 
+// A message each 0.2 s, held until the next multiple of 0.28 s: two come together of each seven.
+TEST(ArrivalPattern, OfMessagesThatWereHeldForLessThanTwoPeriodsIsBunchedAndNotSlower) {
+  std::vector<Raster::Arrival> arrivals;
+  for (int i = 0; i < 12; ++i) {
+    arrivals.push_back({Step::odd, 0.28, 1});
+    if (i % 5 == 1 || i % 5 == 4) arrivals.push_back({Step::crowded, 0.01, 0});
+  }
+  EXPECT_TRUE(pattern_of(arrivals).bunched());
+  EXPECT_EQ(pattern_of(arrivals).slower(0.2), 1);
+}
+
 TEST(ArrivalPattern, WithRegularMessagesBetweenThePausesIsNotBunched) {
   std::vector<Raster::Arrival> arrivals;
   for (int i = 0; i < 8; ++i) {
