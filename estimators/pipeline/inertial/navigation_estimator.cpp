@@ -146,7 +146,7 @@ void NavigationEstimator::end_step_if_due(EstimateListener& listener) {
   for (const Aiding& aiding : waiting_)
     if (is_due(aiding)) apply(aiding, listener);
   waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_due), waiting_.end());
-  watch_.add(Aid::model, filter_->settle());
+  watch_.add(Aid::model, filter_->settle(), now_);
   judge(lasted_s);
   emit(listener);
 }
@@ -158,7 +158,7 @@ void NavigationEstimator::apply(const Aiding& aiding, EstimateListener& listener
 
 void NavigationEstimator::tell(Aid aid, Stamp valid_at, std::uint16_t device,
                                const Innovations& rows, EstimateListener& listener) {
-  watch_.add(aid, rows);
+  watch_.add(aid, rows, now_);
   if (!rows.empty()) listener.on_innovation({valid_at, index_, device, rows});
 }
 

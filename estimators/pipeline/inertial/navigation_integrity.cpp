@@ -1,5 +1,6 @@
 // What an inertial navigation promises, and when it knows that it has diverged.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "estimators/pipeline/inertial/navigation_estimator.hpp"
@@ -13,6 +14,10 @@ namespace {
 constexpr std::chrono::seconds diverged_after{10};
 /// A model that was contradicted so shortly before is less worth than the navigation. Chosen.
 constexpr std::chrono::seconds model_believed_after{60};
+
+/// A sensor that says nothing, because it is left out, says nothing against the model after this.
+/// The estimate stays invalid until the sensor is back and agrees.
+constexpr std::chrono::seconds sensor_forgotten_after{60};
 
 /// It goes on from where it is, with these standard deviations. Chosen.
 constexpr double anew_velocity_mps = 1, anew_angle_rad = 0.05;
@@ -41,8 +46,10 @@ void NavigationEstimator::judge(double lasted_s) {
 
 // Log, DVL and depth say what the model is worth: the paper's filter compares them with it alone.
 void NavigationEstimator::judge_model() {
-  const bool contradicted = watch_.contradicts(Aid::log) || watch_.contradicts(Aid::ground) ||
-                            watch_.contradicts(Aid::depth);
+  constexpr std::array sensors{Aid::log, Aid::ground, Aid::depth};
+  const bool contradicted = std::ranges::any_of(sensors, [&](Aid sensor) {
+    return watch_.contradicts(sensor, now_, sensor_forgotten_after);
+  });
   model_.judge(options_.method == InertialMethod::paper && contradicted, now_);
   filter_->doubt_model(!model_.settled(now_));
   if (model_.doubted(now_) < diverged_after || !imu_trust_.settled(now_)) return;

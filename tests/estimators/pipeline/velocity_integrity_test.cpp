@@ -51,6 +51,22 @@ TEST(VelocityOfAModel, ThatItsSensorsContradictDoesNotAidAndIsBackWithoutHarm) {
   EXPECT_EQ(bench.pipeline->status(0).divergences, 0u);
 }
 
+TEST(VelocityOfAModel, AidsAgainAMinuteAfterALogThatContradictsItWasLeftOut) {
+  // Given a log that is off by 2 m/s and is left out for it,
+  RestingVehicle bench(InertialMethod::paper, tells_speeds);
+  bench.propeller_mps = 0;
+  bench.run(60);
+  bench.log_error_mps = 2;
+  bench.run(10);
+  bench.pipeline->leave_out(test::log_device, true, bench.now);
+  // when the accelerometers are off by .5 mm/s2 from then on, 13 times the sheet,
+  bench.force_error.x() = 5e-4;
+  bench.run(200);
+  // then the navigation is not left to its IMU alone, .1 m/s off, and says that it is in doubt.
+  EXPECT_LT(bench.last().velocity_ned.norm(), 0.03);
+  EXPECT_FALSE(bench.last().integrity.valid);
+}
+
 std::string method_name(const testing::TestParamInfo<InertialMethod>& info) {
   constexpr std::array names{"sensors", "coupled", "paper"};
   return names.at(static_cast<std::size_t>(info.param));
