@@ -132,12 +132,11 @@ ImuGate::Verdict ImuGate::doubt(const Point& now) {
     return Verdict::wild;
   }
   // The last good sample or the first of the run alone may have been off: then nothing stepped.
-  const Vector6 place = usual_place();
+  const Vector6 from_good = run_->leap, place = usual_place();
   run_->leap += good_->values - place;
   const Vector6 newest = now.values - place - run_->samples * trend_;
-  if (steady && (within_margin(run_->leap) || within_margin(newest)))
-    return believe(now, Verdict::good);
-  step_ = step_of_run();
+  const bool back = steady && (within_margin(run_->leap) || within_margin(newest));
+  step_ = back ? unused(from_good) : step_of_run();
   return believe(now, Verdict::stepped);
 }
 
@@ -164,17 +163,21 @@ ImuStep ImuGate::step_of_run() const {
     return step;
   }
   if (step.thawed) return step;
-  if (is_noise()) {
-    const double unused_s = seconds(run_->newest.at - good_->at);
-    step.turn_sigma = run_->leap.head<3>().norm() * unused_s / 2;
-    return step;
-  }
+  if (is_noise()) return unused(run_->leap);
   const Vector6 limit = margin(), steps = run_->leap - trend_;
   const Vector6 kept = (run_->leap.cwiseAbs().array() > limit.array()).select(steps, 0);
   step.rate = kept.head<3>();
   step.force = kept.tail<3>();
   if (!step.rate.isZero(0)) step.rate_sigma = per_mean_size * off_trend_.head<3>().maxCoeff();
   if (!step.force.isZero(0)) step.force_sigma = per_mean_size * off_trend_.tail<3>().maxCoeff();
+  return step;
+}
+
+// The line between the last good sample and the newest stands for the run. Its turn is wrong by
+// half of what the first was off from the second, if one of them was wrong.
+ImuStep ImuGate::unused(const Vector6& leap) const {
+  ImuStep step;
+  step.turn_sigma = leap.head<3>().norm() * seconds(run_->newest.at - good_->at) / 2;
   return step;
 }
 
@@ -201,7 +204,7 @@ void ImuGate::learn_noise(const Vector6& change) {
     most = gate::most_usual * usual_.cwiseMax(margin() / gate::noise_times);
   usual_ += share * (change.cwiseAbs().cwiseMin(most) - usual_);
   off_trend_ += share * ((change - trend_).cwiseAbs().cwiseMin(most) - off_trend_);
-  trend_ += share * (change - trend_);
+  trend_ += share * (change.cwiseMin(most).cwiseMax(-most) - trend_);
   for (int i = 0; i < 6; ++i) {
     if (change(i) == 0) continue;
     turns_(i) += share * ((change(i) * change_(i) < 0 ? 1 : 0) - turns_(i));

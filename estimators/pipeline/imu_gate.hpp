@@ -58,6 +58,7 @@ class ImuGate {
   bool goes_on(const Point& now) const;
   Verdict doubt(const Point& now);
   ImuStep step_of_run() const;
+  ImuStep unused(const Vector6& leap) const;
   bool is_noise() const;
   bool frozen(const Vector6& values);
   void learn(const Point& now);
