@@ -65,9 +65,11 @@ Raster::Arrival Raster::judge(Stamp at) {
   }
   last_ = at;
   arrival.slots = std::lround(arrival.interval_s / period_s_);
-  owed_ = std::max(arrival.slots - 1, 0L);
   const double off = arrival.interval_s - static_cast<double>(arrival.slots) * period_s_;
   const bool fits = arrival.slots > 0 && std::abs(off) <= tolerance_s_;
+  // In 5.4 periods a line that holds messages takes five or six.
+  const long most = std::lround(std::ceil(arrival.interval_s / period_s_));
+  owed_ = std::max((fits ? arrival.slots : most) - 1, 0L);
   arrival.step = !fits ? Step::odd : arrival.slots == 1 ? Step::regular : Step::missing;
   return arrival;
 }

@@ -106,6 +106,22 @@ TEST(Raster, OfAnUnevenStreamIsNoneWhateverRateIsStated) {
   }
 }
 
+// Messages of 25 ms, one each 0.2 s, held until the next multiple of 1.08 s: five or six together.
+TEST(Raster, SeesAllThatWasHeldComeTogether) {
+  Raster raster;
+  for (int i = 0; i < 200; ++i) raster.add(at_s(0.2 * i));
+  ASSERT_TRUE(raster.known());
+  long before = 0;
+  double line_free = 0;
+  for (int i = 201; i < 280; ++i) {
+    const long release = std::lround(std::ceil(0.2 * i / 1.08));
+    line_free = std::max(line_free, 1.08 * static_cast<double>(release)) + 0.025;
+    const auto arrival = raster.add(at_s(line_free), 0.025);
+    if (release == before) EXPECT_EQ(arrival.step, Step::crowded) << i;
+    before = release;
+  }
+}
+
 ArrivalPattern pattern_of(const std::vector<Raster::Arrival>& arrivals) {
   ArrivalPattern pattern;
   for (const auto& arrival : arrivals) pattern.add(arrival, 0.2);
