@@ -12,7 +12,7 @@ constexpr double ppm = 1e-6;
 constexpr double significant = 6;
 /// Quartz changes its rate by less, hot or cold.
 constexpr double possible_ppm = 2000;
-constexpr int usual_after = 150, forgotten_after = 10;  // blocks
+constexpr int usual_after_blocks = 150, forgotten_after_blocks = 10;
 /// The smallest scatter of the earliest arrivals: the resolution of stamps and timers.
 constexpr double least_scatter_s = 20e-6;
 
@@ -84,7 +84,8 @@ void RateWatch::note_change(std::optional<double> change_ppm) {
     steady_blocks_ = 0;
     return;
   }
-  if (++steady_blocks_ < (std::abs(steady_ppm_) > possible_ppm ? forgotten_after : usual_after))
+  if (++steady_blocks_ <
+      (std::abs(steady_ppm_) > possible_ppm ? forgotten_after_blocks : usual_after_blocks))
     return;
   interrupt();
   known_first_ = 0;
