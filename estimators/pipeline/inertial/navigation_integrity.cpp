@@ -11,7 +11,7 @@ namespace {
 
 /// A navigation that two of its sensors have contradicted for this long has diverged; of one alone
 /// its gate knows what to do. Likewise a model.
-constexpr std::chrono::seconds diverged_after{10};
+constexpr std::chrono::seconds strayed_after{10};
 /// A model that was contradicted so shortly before is less worth than the navigation. Chosen.
 constexpr std::chrono::seconds model_believed_after{60};
 
@@ -31,7 +31,7 @@ void NavigationEstimator::judge(double lasted_s) {
   state_.judge(imu_trust_.settled(now_) && filter_->diverged(watch_), now_);
   judge_model();
   strayed_m_ = aiding_.settled(now_) ? 0 : strayed_m_ + lasted_s * speed_off_mps();
-  if (state_.doubted(now_) < diverged_after) return;
+  if (state_.doubted(now_) < strayed_after) return;
   if (model_.contradicted(now_, model_believed_after)) {
     filter_->restart_model();
   } else {
@@ -52,7 +52,7 @@ void NavigationEstimator::judge_model() {
   });
   model_.judge(options_.method == InertialMethod::paper && contradicted, now_);
   filter_->doubt_model(!model_.settled(now_));
-  if (model_.doubted(now_) < diverged_after || !imu_trust_.settled(now_)) return;
+  if (model_.doubted(now_) < strayed_after || !imu_trust_.settled(now_)) return;
   filter_->restart_model();
   model_.end();
 }
