@@ -72,7 +72,8 @@ boost::system::result<DevicePtr, EmulateError> make_emulated_device(const Device
                         "instance"};
   const auto& emulated = config.emulate;
   const Stamp booted = power.boot + measurement::from_seconds(emulated.boot_s);
-  DeviceSetup setup{config, trajectory, seed, nullptr, booted, power.condition, power.memory};
+  const auto condition = power.condition ? power.condition : std::make_shared<const Condition>();
+  DeviceSetup setup{config, trajectory, seed, nullptr, booted, condition, power.memory};
   if (config.kind == rig_config::DeviceKind::gnss) {
     auto sky = make_sky(config, trajectory.start(), seed);
     if (!sky) return sky.error();

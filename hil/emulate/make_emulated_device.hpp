@@ -26,7 +26,7 @@ struct EmulateError {
 /// When a device gets power, and the effects of faults on it.
 struct PowerUp {
   measurement::Stamp boot{};
-  std::shared_ptr<const Condition> condition;
+  std::shared_ptr<const Condition> condition;                   ///< null: no fault has effect
   std::shared_ptr<Memory> memory = std::make_shared<Memory>();  ///< outlives a loss of power
 };
 
