@@ -1,6 +1,10 @@
 #include "drivers/diagnosis/finding_words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
 
 namespace drydock::diagnosis {
 
@@ -14,10 +18,11 @@ std::string in_words(const EvidenceAccount& evidence) {
 }
 
 std::string evidence_text(const FindingAccount& finding) {
-  std::string text;
+  std::vector<std::string> said;  // two signs of one test have the same words
   for (const EvidenceAccount& one : finding.evidence)
-    text += (text.empty() ? "" : ", ") + in_words(one);
-  return text;
+    if (const auto words = in_words(one); std::ranges::find(said, words) == said.end())
+      said.push_back(words);
+  return fmt::format("{}", fmt::join(said, ", "));
 }
 
 std::string when_text(const FindingAccount& finding) {

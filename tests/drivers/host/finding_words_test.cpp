@@ -56,6 +56,15 @@ TEST(FindingWords, SeveralSignsAreAllTold) {
               HasSubstr("(at most 0), rate 2.5 Hz (at least 4.5 Hz) — "));
 }
 
+TEST(FindingWords, TwoSignsOfOneNumberTellItOnce) {
+  Finding finding = damaged();
+  finding.evidence.clear();
+  for (const Sign sign : {Sign::ramp, Sign::offset})
+    finding.evidence.push_back({sign, 0.25, 0.07, "specific force ahead", "m/s2"});
+  EXPECT_THAT(line_of(account_of(finding, "imu", start)),
+              HasSubstr(": specific force ahead 0.25 m/s2 (at most 0.07 m/s2) — "));
+}
+
 TEST(FindingWords, AFindingWithoutEvidenceStillHasItsAdvice) {
   Finding finding = damaged();
   finding.evidence.clear();
