@@ -109,7 +109,8 @@ int soak(rig_config::Rig rig, const SoakOptions& options, std::FILE* out) {
   prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0);
   rig.seed = options.seed;
   SoakWatch watch(rig, options.seed,
-                  options.faults ? std::optional(options.fault_interval_s) : std::nullopt);
+                  options.faults ? std::optional(options.fault_interval_s) : std::nullopt,
+                  options.rest_s);
   bench::RunOptions run;
   run.duration_s = options.duration_s;
   if (const auto last = motion::flight_s(rig); last && *last < run.duration_s) {

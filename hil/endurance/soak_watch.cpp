@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "drivers/diagnosis/finding_words.hpp"
 #include "drivers/diagnosis/surroundings.hpp"
@@ -36,20 +37,40 @@ bool is_of_the_bus(rig_config::FaultKind kind) {
 }  // namespace
 
 SoakWatch::SoakWatch(const rig_config::Rig& rig, std::uint64_t seed,
-                     std::optional<double> fault_interval_s)
+                     std::optional<double> fault_interval_s, double rest_s)
     : rig_(rig),
+      rest_s_(rest_s),
       start_(measurement::stamp_from_ns(rig.start_utc_ns)),
       trouble_until_(rig.devices.size(), start_ + recovers_within),
       fault_until_(start_ - std::chrono::nanoseconds{1}),
       last_tick_(start_) {
-  if (fault_interval_s) next_ = faults_.emplace(rig, seed, *fault_interval_s).next();
+  if (!fault_interval_s) return;
+  faults_.emplace(rig, seed, *fault_interval_s);
+  take_next();
+}
+
+/// The random faults know no rests; their times are those of the bursts, one behind the other.
+void SoakWatch::take_next() {
+  next_ = faults_->next();
+  next_->start_s += std::floor(next_->start_s / burst_s) * rest_s_;
 }
 
 void SoakWatch::tick(Stamp now) {
   set_faults(now);
   for (std::size_t i = 0; i < bench_->devices.size(); ++i) look_at(i, now);
   count_quiet(now);
+  if (rest_s_ > 0 && quiet(now)) look_at_what_stays(now);
   ++looks_;
+}
+
+/// Tells each finding once.
+void SoakWatch::look_at_what_stays(Stamp now) {
+  for (const auto& [device, finding] : std::exchange(staying_, {})) {
+    ++false_alarms_;
+    const auto account = diagnosis::account_of(finding, rig_.devices.at(device).name, start_);
+    add(fmt::format("still found at {:.0f} s: {}", measurement::seconds(now - start_),
+                    diagnosis::line_of(account)));
+  }
 }
 
 /// The faults of the rig and its mission count as those that the watch sets.
@@ -61,12 +82,18 @@ void SoakWatch::count_quiet(Stamp now) {
 }
 
 void SoakWatch::on_finding(const diagnosis::Finding& finding) {
+  staying_.erase(finding.device);
   if (finding.until) return;
   ++findings_;
   const bool of_surroundings = diagnosis::is_of_the_surroundings(finding.cause);
-  if (of_surroundings) ++of_surroundings_;
-  if (of_surroundings || !quiet(finding.found) || !bench_->faults.in_force(finding.found).empty())
+  if (of_surroundings) {
+    ++of_surroundings_;
     return;
+  }
+  if (!quiet(finding.found) || !bench_->faults.in_force(finding.found).empty()) {
+    staying_.emplace(finding.device, finding);
+    return;
+  }
   ++false_alarms_;
   const auto account = diagnosis::account_of(finding, rig_.devices.at(finding.device).name, start_);
   add("false alarm: " + diagnosis::line_of(account));
@@ -88,7 +115,7 @@ void SoakWatch::set_faults(Stamp now) {
       if (hit) trouble_until_[i] = std::max(trouble_until_[i], until);
     }
     fault_until_ = std::max(fault_until_, until);
-    next_ = faults_->next();
+    take_next();
   }
 }
 

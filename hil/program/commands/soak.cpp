@@ -21,6 +21,7 @@ void add_soak(CLI::App& app, Command& command) {
       "raise a false alarm?");
   sub->footer(
       "Example: drydock soak rig_config/rigs/soak.toml --for 2d --report out\n"
+      "         drydock soak rig_config/rigs/soak.toml --for 1d --rest 10min --seed 7\n"
       "         drydock soak rig_config/rigs/demo.toml --for 1d --no-faults");
   sub->add_option("RIG", arguments->rig, "rig file (TOML); emulated lines stand in for real ones")
       ->required();
@@ -33,6 +34,12 @@ void add_soak(CLI::App& app, Command& command) {
                              "set none: a healthy run, for the number of false alarms");
   sub->add_option("--interval", options.fault_interval_s,
                   "mean time between two faults of one device; default 10min")
+      ->transform(duration_text)
+      ->excludes(none);
+  sub->add_option(
+         "--rest", options.rest_s,
+         "no fault begins for so long after each five minutes with faults, 10min say: what "
+         "is then still found is a false alarm")
       ->transform(duration_text)
       ->excludes(none);
   sub->add_option("--json", options.json, "write summary, faults and troubles to this file");

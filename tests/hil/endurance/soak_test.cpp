@@ -158,5 +158,60 @@ TEST(Soak, AFindingIsAFalseAlarmOnlyWhileNoDeviceHasAFaultAndSinceSomeTime) {
   EXPECT_THAT(alarmed.troubles(), testing::Contains(testing::HasSubstr("false alarm: ")));
 }
 
+/// Two findings begin in a fault from 200 to 210 s. One of them is over at 250 s.
+TEST(Soak, InARestWhatIsStillFoundTwoMinutesBehindTheLastFaultIsAFalseAlarm) {
+  auto bench = rig();
+  bench.faults =
+      rig_config::load_faults_text(
+          "[[fault]]\ndevice = \"log\"\nfault = \"hang\"\nstart_s = 200\nfor_s = 10\n", "test")
+          .value();
+  struct Findings final : bench::Follower {
+    void on_start(const bench::BenchView& bench) override { start = bench.start; }
+    void tick(Stamp now) override {
+      diagnosis::Finding finding;
+      finding.cause = diagnosis::Cause::bias;
+      finding.since = finding.found = now;
+      if (now - start == std::chrono::seconds{205})
+        for (finding.device = 0; finding.device < 2; ++finding.device) to.on_finding(finding);
+      finding.until = now;
+      finding.device = 1;
+      if (now - start == std::chrono::seconds{250}) to.on_finding(finding);
+    }
+    explicit Findings(endurance::SoakWatch& watch) : to(watch) {}
+    endurance::SoakWatch& to;
+    Stamp start{};
+  };
+  constexpr double never_s = 1e9;
+  for (const double rest_s : {0.0, 600.0}) {
+    endurance::SoakWatch watch(bench, 1, never_s, rest_s);
+    Findings findings(watch);
+    bench::RunOptions options;
+    options.duration_s = 400;
+    options.quiet = true;
+    options.followers = {&findings, &watch};
+    bench::run_lockstep(bench, options);
+    EXPECT_EQ(watch.false_alarms(), rest_s > 0 ? 1u : 0u);
+    if (rest_s == 0) continue;
+    EXPECT_THAT(watch.troubles(), testing::Contains(testing::HasSubstr("still found at 330 s: " +
+                                                                       bench.devices[0].name)));
+  }
+}
+
+/// A fault lasts for a minute at most, and no finding is a false alarm for two minutes more: of
+/// each 900 s at least 900 - 300 - 60 - 120 are quiet. Without rests hardly one would be.
+TEST(Soak, ARestFollowsEachFiveMinutesWithFaults) {
+  const auto bench = rig();
+  endurance::SoakWatch watch(bench, 1, 300, 600);
+  bench::RunOptions options;
+  options.duration_s = 1800;
+  options.quiet = true;
+  options.followers = {&watch};
+  bench::run_lockstep(bench, options);
+  EXPECT_GE(watch.quiet_s(), 2 * 420 - 2);
+  EXPECT_LE(watch.quiet_s(), 2 * 600);
+  EXPECT_GT(watch.faults_set(), 20u) << "18 devices, 600 s, one in 330 s: 33 on average";
+  EXPECT_THAT(watch.troubles(), testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace soak_test
