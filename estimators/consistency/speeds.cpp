@@ -65,7 +65,7 @@ Speeds::Speeds(const Tracks& tracks) : tracks_(tracks) {
   off_currents_.resize(logs_.size(), Current(any_offset_mps));
   compared_.resize(logs_.size());
   learned_.resize(logs_.size());
-  surges_.resize(shafts_.size());
+  shaft_laws_.resize(shafts_.size());
 }
 
 void Speeds::see(const Moment& moment) {
@@ -139,7 +139,7 @@ Eigen::Vector2d Speeds::water(std::size_t log, const Eigen::Vector2d& read,
 void Speeds::see_shafts(const Moment& moment) {
   for (std::size_t i = 0; i < shafts_.size(); ++i) {
     const auto read = tracks_.actuators[i].shaft.at(moment.at);
-    const auto made = surges_[i].answer();
+    const auto made = shaft_laws_[i].answer();
     if (!read || !made || !moment.rate) continue;
     const bool current_known = !logs_.empty() && learned_[0] > 0 && moment.heading_known;
     const double current = current_known ? 0 : usual_current_mps;
@@ -159,6 +159,10 @@ Eigen::Vector2d Speeds::current(const Moment& moment) const {
 
 bool Speeds::is_quiet(std::size_t witness) const {
   return witness < Group::most && group_.witnesses()[witness].test.suspicion() < 0.3;
+}
+
+bool Speeds::is_accused(std::size_t witness) const {
+  return witness < Group::most && group_.witnesses()[witness].test.fired();
 }
 
 /// Only from devices that no test accuses.
@@ -223,7 +227,7 @@ void Speeds::forget_dvl(Stamp since, Stamp now) {
 
 void Speeds::forget_shafts() {
   for (std::size_t i = 0; i < shafts_.size(); ++i) {
-    surges_[i] = {};
+    shaft_laws_[i] = {};
     group_.restart(shafts_[i]);
   }
 }
@@ -288,15 +292,15 @@ void Speeds::learn_surge(const Moment& moment) {
   for (std::size_t i = 0; i < shafts_.size(); ++i) {
     const auto read = tracks_.actuators[i].shaft.at(moment.at);
     if (!read) continue;
-    surges_[i].take({.shaft_radps = read->value.x(),
-                     .speed_mps = speed,
-                     .starboard_mps = starboard(moment),
-                     .turn_radps = turn,
-                     .current_mps = water.x(),
-                     .current_starboard_mps = water.y(),
-                     .current_sigma_mps = logs_.empty() ? 0 : current_sigma(0, moment)},
-                    moment.dt);
-    if (is_quiet(shafts_[i])) surges_[i].learn();
+    shaft_laws_[i].take({.shaft_radps = read->value.x(),
+                         .speed_mps = speed,
+                         .starboard_mps = starboard(moment),
+                         .turn_radps = turn,
+                         .current_mps = water.x(),
+                         .current_starboard_mps = water.y(),
+                         .current_sigma_mps = logs_.empty() ? 0 : current_sigma(0, moment)},
+                        moment.dt, is_quiet(shafts_[i]), is_accused(shafts_[i]));
+    if (shaft_laws_[i].begins_anew()) group_.restart(shafts_[i]);
   }
 }
 

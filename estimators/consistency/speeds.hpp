@@ -5,7 +5,7 @@
 #include "estimators/consistency/first_offset.hpp"
 #include "estimators/consistency/group.hpp"
 #include "estimators/consistency/moment.hpp"
-#include "estimators/consistency/surge.hpp"
+#include "estimators/consistency/shaft_law.hpp"
 
 namespace drydock::consistency {
 
@@ -69,6 +69,7 @@ class Speeds {
   std::optional<double> dvl_over_receiver() const;
   void learn_surge(const Moment& moment);
   bool is_quiet(std::size_t witness) const;
+  bool is_accused(std::size_t witness) const;
   std::optional<double> speed_of_others() const;
   static double starboard(const Moment& moment);
   Eigen::Vector2d current(const Moment& moment) const;
@@ -84,7 +85,7 @@ class Speeds {
   std::optional<FirstOffset> off_;     ///< of the first DVL, receiver or log
   std::optional<Stamp> first_;         ///< when a log was first compared
   std::vector<std::uint64_t> compared_, learned_;  ///< the last sample of each log that did so
-  std::vector<Surge> surges_;                      ///< one a shaft
+  std::vector<ShaftLaw> shaft_laws_;               ///< one a shaft
 };
 
 }  // namespace drydock::consistency
