@@ -77,13 +77,18 @@ void Test::keep(Stamp at) {
   kept_[0].at = at;
 }
 
-void Test::forget(Stamp since) {
+const Test::Learned* Test::kept_before(Stamp since) const {
   const auto before = std::ranges::find_if(
       kept_, [&](const Learned& one) { return one.at != Stamp{} && one.at <= since; });
+  return before == kept_.end() ? nullptr : &*before;
+}
+
+void Test::forget(Stamp since) {
+  const Learned* before = kept_before(since);
   cusum_.clear();
   fired_ = false;
   const bool beside_sum = facts_.others_wander > 0;
-  if (facts_.sum_above <= 0 || beside_sum || before == kept_.end()) return restart();
+  if (facts_.sum_above <= 0 || beside_sum || before == nullptr) return restart();
   learned_ = *before;
   noise_square_ = 0;
 }
@@ -147,7 +152,30 @@ void Test::end_fault(Stamp at) {
     steady_since_ = at;
   }
   const double steady_s = measurement::seconds(at - steady_since_);
-  if (steady_s > steady_for_s && (is_over(steady_s) || was_learned_in_fault(steady_s))) restart();
+  if (steady_s <= steady_for_s) return;
+  if (is_over(steady_s) || was_learned_in_fault(steady_s)) return restart();
+  if (steady_s <= rests_for_s || (deviation_ > 0) == fired_up_) return;
+  if (have_others_followed()) return restart();
+  const Learned* before = kept_before(since_);
+  if (before == nullptr || !is_where_it_was(*before)) return;
+  learned_ = *before;
+  cusum_.clear();
+  fired_ = false;
+}
+
+/// The offset followed the begin of the fault by some sigmas, and now the residual rests on the
+/// other side of it, much nearer to where it was before.
+bool Test::is_where_it_was(const Learned& before) const {
+  const double from_before = learned_.offset + deviation_ - before.offset;
+  return facts_.sum_above > 0 && facts_.others_wander <= 0 &&
+         std::abs(from_before) < small_rest * std::abs(deviation_);
+}
+
+/// The others' offsets followed its fault, so now it rests on the other side of them.
+bool Test::have_others_followed() const {
+  if (facts_.others_wander <= 0) return false;
+  const double fault_s = measurement::seconds(steady_since_ - since_ + kept_for);
+  return std::abs(steady_) < (facts_.wander + facts_.others_wander) * fault_s + 2 * spread();
 }
 
 /// An alarm rose just behind the learning, and soon after it the residual rests on the other side
@@ -214,6 +242,7 @@ void Test::test(const Residual& residual, Stamp at) {
   }
   if (cusum_.value() >= design.limit && !fired_) {
     fired_ = true;
+    fired_up_ = cusum_.is_up();
     if (!young_up_ && since_ - learned_at_ < young) young_up_ = cusum_.is_up();
     steady_ = deviation_;
     steady_since_ = at;

@@ -103,6 +103,13 @@ class Test {
   static constexpr int learning_samples = 50;
 
  private:
+  /// What it knows of the residual in usual times.
+  struct Learned {
+    double offset = 0, trend = 0, mean_square = 0;
+    PassingError passing;
+    Stamp at{};  ///< when it was kept; none: never
+  };
+
   void learn(const Residual& residual, double dt);
   void follow(const Residual& residual, double dt);
   bool drifts() const;
@@ -110,19 +117,15 @@ class Test {
   void end_fault(Stamp at);
   bool is_over(double steady_s) const;
   bool was_learned_in_fault(double steady_s) const;
+  const Learned* kept_before(Stamp since) const;
+  bool is_where_it_was(const Learned& before) const;
+  bool have_others_followed() const;
   bool is_blind(const Residual& residual) const;
   bool has_stopped(const Freeze* own) const;
   enum class Late : std::uint8_t { no, open, yes };
   Late late() const;
   void test(const Residual& residual, Stamp at);
   double sigma_of(const Residual& residual, double spread) const;
-
-  /// What it knows of the residual in usual times.
-  struct Learned {
-    double offset = 0, trend = 0, mean_square = 0;
-    PassingError passing;
-    Stamp at{};  ///< when it was kept; none: never
-  };
 
   TestFacts facts_;
   int samples_ = 0, fired_samples_ = 0;
@@ -133,7 +136,7 @@ class Test {
   double peak_ = 0, peak_sigma_ = 1, moved_ = 0;
   double usual_rate_ = 0, usual_quantity_ = 0;
   Stamp last_{}, since_{}, steady_since_{}, learned_at_{}, young_at_{};
-  bool fired_ = false, learns_again_ = false;
+  bool fired_ = false, fired_up_ = false, learns_again_ = false;
   FirstResiduals<learning_samples> first_;
   std::optional<bool> young_up_;  ///< the side of the alarm that rose just behind the learning
   Cusum cusum_;

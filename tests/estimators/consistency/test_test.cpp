@@ -194,6 +194,33 @@ TEST(Test, ThatKnewItsOffsetLongBeforeGoesOnToAccuse) {
   EXPECT_NEAR(residuals.test.offset(), 0, 0.05);
 }
 
+// The offset follows a fault that begins slowly by some sigmas. Where the residual was before, it
+// rests again.
+TEST(Test, WhoseOffsetFollowedTheBeginOfAFaultEndsItsAlarmWithTheFault) {
+  Residuals residuals(TestFacts{.floor = 0.1, .wander = 0.02});
+  residuals.go(80, 0, 0);
+  residuals.go(18, {0, 0.3}, 0);
+  residuals.go(10, {0.3, 3}, 0);
+  ASSERT_TRUE(residuals.test.fired());
+  EXPECT_GT(residuals.test.offset(), 0.15);
+  residuals.go(10, {3, 0}, 0);
+  residuals.go(20, 0, 0);
+  EXPECT_FALSE(residuals.test.fired());
+  EXPECT_NEAR(residuals.test.offset(), 0, 0.02);
+}
+
+// Those that it is compared with followed its slow fault, so now it lies on their other side: by no
+// more than they could follow.
+TEST(Test, BesideASumThatFollowedItsFaultIsAccusedNoLongerWhenItIsOver) {
+  for (const auto& [rest, accused] : {std::pair{-0.35, false}, {-4.0, true}}) {
+    Residuals residuals(TestFacts{.floor = 0.08, .wander = 0.005, .others_wander = 0.06});
+    residuals.go(80, 0, 0);
+    residuals.go(20, {0, 0.35}, 0);
+    residuals.go(60, rest, 0);
+    EXPECT_EQ(residuals.test.fired(), accused) << rest;
+  }
+}
+
 // Twenty of the first fifty samples are of a fault that is over before the learning is.
 TEST(Test, LearnsTheOffsetThoughAFaultIsInItsFirstSamples) {
   Residuals residuals(false);
