@@ -113,7 +113,7 @@ Heard heard_without(const DescriptionPtr& description, std::optional<std::size_t
       if (i != damaged_sample || lost != place)
         bus.says(encoder.encode(place, {}, readings_of(i)).value(),
                  i * 0.1 + static_cast<double>(place) * 0.0003);
-  return std::move(bus);
+  return bus;
 }
 
 TEST_P(DescribedBusTest, ALostFrameCostsItsOwnSampleAtMostAndJoinsNoTwo) {

@@ -22,7 +22,8 @@ Finding finding(std::uint16_t device, Cause cause, int since_s) {
           .found = at(since_s + 1),
           .until = {},
           .confidence = 0.9,
-          .evidence = {}};
+          .evidence = {},
+          .advice = {}};
 }
 
 Finding over(Finding one, int until_s) {

@@ -24,7 +24,8 @@ diagnosis::Finding damaged() {
                              .found = since + std::chrono::milliseconds{500},
                              .until = {},
                              .confidence = 0.9,
-                             .evidence = {}};
+                             .evidence = {},
+                             .advice = {}};
   finding.evidence.push_back({diagnosis::Sign::bad_checksums, 12, 0, "damaged frames", ""});
   finding.evidence.push_back({diagnosis::Sign::rate_low, 2.5, 4.5, "rate", "Hz"});
   return finding;

@@ -24,7 +24,8 @@ Finding damaged() {
                   .found = after(75.5),
                   .until = {},
                   .confidence = 0.9,
-                  .evidence = {}};
+                  .evidence = {},
+                  .advice = {}};
   finding.evidence.push_back({Sign::bad_checksums, 12, 0, "damaged frames in 1 s", ""});
   return finding;
 }

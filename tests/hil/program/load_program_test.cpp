@@ -11,6 +11,7 @@ namespace load_program_test {
 
 using program::drydock;
 using program::Folder;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 std::filesystem::path rig_in(const Folder& folder, const std::string& faults) {
@@ -55,7 +56,9 @@ TEST(Load, CtrlCEndsItWithWhatWasRunAndNoPass) {
       "check " + rig.string() +
       " >/dev/null; timeout --preserve-status --foreground -s INT 2 " DRYDOCK_PROGRAM " load " +
       rig.string() + " --for 1min; echo exit $?");
-  EXPECT_THAT(load.output, HasSubstr("FAIL 0 of 1 devices in 2 s, ended by Ctrl-C before 60 s"));
+  // A busy computer starts the program late, so that less than the two seconds was run.
+  EXPECT_THAT(load.output,
+              ContainsRegex("FAIL 0 of 1 devices in [12] s, ended by Ctrl-C before 60 s"));
   EXPECT_THAT(load.output, HasSubstr("exit 130"));
 }
 
