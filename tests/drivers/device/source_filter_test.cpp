@@ -155,6 +155,25 @@ TEST(SourceFilter, AThiefThatRepeatsItsClaimIsNotTakenForTheSensorThatComesBack)
   EXPECT_FALSE(filter.accepts(128, now + 9min));
 }
 
+// A thief's claim stays in the table. The sensor then boots at that address while a bus that is off
+// hides its claim, so it passes for the thief until it claims again.
+TEST(SourceFilter, ASensorWhoseClaimWasNotHeardIsKnownByItsNextOneAtTheSameAddress) {
+  constexpr std::uint64_t sensor = 0xABC, thief = 0x001;
+  SourceFilter filter(128);
+  filter.claimed(128, sensor, now);
+  filter.accepts(128, now);
+  filter.claimed(128, thief, now + 1s);
+  filter.claimed(129, sensor, now + 1s);
+  ASSERT_TRUE(filter.accepts(129, now + 2s));
+  ASSERT_TRUE(filter.accepts(128, now + 60s)) << "silent for longer than 30 s";
+  filter.claimed(128, sensor, now + 70s);  // somebody asks all for their NAMEs
+  EXPECT_TRUE(filter.accepts(128, now + 71s));
+  filter.claimed(128, thief, now + 100s);
+  EXPECT_FALSE(filter.accepts(128, now + 101s)) << "a second theft";
+  filter.claimed(130, sensor, now + 101s);
+  EXPECT_TRUE(filter.accepts(130, now + 102s));
+}
+
 TEST(SourceFilter, OneThatCanClaimNoAddressIsHeardNoMore) {
   SourceFilter filter(35);
   filter.claimed(35, 0xABC, now);
