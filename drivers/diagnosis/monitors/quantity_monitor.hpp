@@ -51,7 +51,11 @@ class QuantityMonitor {
   double minus(double a, double b) const;
   bool is_pause(double period_s);
   void learn(double bend, Stamp at, double period_s);
-  void hold_to_grade(double half_step);
+  double half_step() const;
+  double scatter_of_bends();
+  void refine(double bend);
+  void set_sigma();
+  void hold_to_grade();
   News judge(double period_s, Stamp at);
   void judge_noise(double bend, Stamp at);
 
