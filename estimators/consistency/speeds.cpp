@@ -66,6 +66,7 @@ Speeds::Speeds(const Tracks& tracks) : tracks_(tracks) {
   compared_.resize(logs_.size());
   learned_.resize(logs_.size());
   shaft_laws_.resize(shafts_.size());
+  shafts_at_fault_.resize(shafts_.size());
 }
 
 void Speeds::see(const Moment& moment) {
@@ -225,6 +226,13 @@ void Speeds::forget_dvl(Stamp since, Stamp now) {
   forget_shafts();
 }
 
+void Speeds::note_fault(std::uint16_t device) {
+  group_.note_fault(device);
+  ahead_.note_fault(device);
+  for (std::size_t i = 0; i < shafts_.size(); ++i)
+    if (tracks_.actuators[i].device == device) shafts_at_fault_[i] = true;
+}
+
 void Speeds::forget_shafts() {
   for (std::size_t i = 0; i < shafts_.size(); ++i) {
     shaft_laws_[i] = {};
@@ -291,9 +299,11 @@ void Speeds::learn_surge(const Moment& moment) {
   const Eigen::Vector2d water = current(moment);
   for (std::size_t i = 0; i < shafts_.size(); ++i) {
     const auto read = tracks_.actuators[i].shaft.at(moment.at);
+    const bool at_fault = shafts_at_fault_[i];
+    shafts_at_fault_[i] = false;
     if (!read) continue;
     shaft_laws_[i].take({.shaft_radps = read->value.x(),
-                         .speed_mps = speed,
+                         .speed_mps = at_fault ? std::nullopt : speed,
                          .starboard_mps = starboard(moment),
                          .turn_radps = turn,
                          .current_mps = water.x(),

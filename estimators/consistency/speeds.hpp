@@ -30,10 +30,7 @@ class Speeds {
     ahead_.acquit(since, doubts);
   }
 
-  void note_fault(std::uint16_t device) {
-    group_.note_fault(device);
-    ahead_.note_fault(device);
-  }
+  void note_fault(std::uint16_t device);
   void forget(std::uint16_t device, Stamp since) {
     group_.forget(device, since);
     ahead_.forget(device, since);
@@ -86,6 +83,7 @@ class Speeds {
   std::optional<Stamp> first_;         ///< when a log was first compared
   std::vector<std::uint64_t> compared_, learned_;  ///< the last sample of each log that did so
   std::vector<ShaftLaw> shaft_laws_;               ///< one a shaft
+  std::vector<bool> shafts_at_fault_;              ///< at the coming time: they teach nothing
 };
 
 }  // namespace drydock::consistency

@@ -74,5 +74,28 @@ TEST(Aftermath, OfFaultsThatAreOverEndsWithinTwoMinutes) {
   }
 }
 
+/// Bits of the turns of a shaft flip behind the CRC of its bus: for seconds it tells wild turns.
+TEST(Aftermath, OfTurnsThatWereDamagedIsNoWrongLawOfTheShaft) {
+  constexpr double end_s = 425, recovers_within_s = 120;
+  auto rig = rig_config::load_rig(DRYDOCK_SOURCE_DIR "/rig_config/rigs/soak.toml").value();
+  rig.faults = rig_config::load_faults_text(
+                   "[[fault]]\ndevice = \"actuators\"\nfault = \"flip\"\nprobability = 0.34\n"
+                   "start_s = 400\nfor_s = 25\n",
+                   "test")
+                   .value();
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+    rig.seed = seed;
+    bench::RunOptions options;
+    options.duration_s = 900;
+    options.quiet = true;
+    const auto summary = bench::run_lockstep(rig, options);
+    EXPECT_FALSE(summary.findings.empty());
+    for (const auto& finding : summary.findings)
+      EXPECT_LT(finding.until_s.value_or(1e9), end_s + recovers_within_s)
+          << "seed " << seed << ": " << finding.device << " " << finding.cause << " since "
+          << finding.since_s << " s";
+  }
+}
+
 }  // namespace
 }  // namespace aftermath_test
