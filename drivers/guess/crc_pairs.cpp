@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <ranges>
 
 namespace drydock::guess {
 namespace {
@@ -44,9 +43,9 @@ CrcPairs::CrcPairs(const Frames& frames) {
     Three& three = threes_.emplace_back();
     std::move(all.begin() + static_cast<std::ptrdiff_t>(i),
               all.begin() + static_cast<std::ptrdiff_t>(i + at_once), three.differences.begin());
-    three.first = std::ranges::min(three.differences | std::views::transform([](const auto& d) {
-                                     return first_difference(d);
-                                   }));
+    three.first = first_difference(three.differences[0]);
+    for (const auto& one : three.differences)
+      three.first = std::min(three.first, first_difference(one));
   }
 }
 

@@ -9,13 +9,14 @@
 
 namespace drydock::pilot {
 
-Pilot::Pilot(const rig_config::Rig& rig, Stamp start, OrderPorts::Send send, OrderPorts::Say say)
+Pilot::Pilot(const rig_config::Rig& rig, Stamp start, const OrderPorts::Send& send,
+             OrderPorts::Say say)
     : state_(rig),
       place_(rig, start),
       plan_(rig.mission),
       autopilot_(rig.mission.vehicle.value()),
       advance_m_(rig.mission.vehicle->propeller.advance_m),
-      ports_(rig, std::move(send), say),
+      ports_(rig, send, say),
       say_(std::move(say)),
       start_(start),
       next_(start) {}

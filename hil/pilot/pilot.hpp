@@ -18,7 +18,7 @@ class Pilot {
 
   /// The mission needs a vehicle and a plan, whose time counts from `start`. Throws
   /// std::runtime_error (one line) if the rig lacks a sensor or an actuator, and BadMission.
-  Pilot(const rig_config::Rig& rig, Stamp start, OrderPorts::Send send, OrderPorts::Say say);
+  Pilot(const rig_config::Rig& rig, Stamp start, const OrderPorts::Send& send, OrderPorts::Say say);
 
   void receive(const measurement::Measurement& m) {
     state_.receive(m);
