@@ -63,11 +63,12 @@ void SoakWatch::tick(Stamp now) {
   ++looks_;
 }
 
-/// Tells each finding once.
+/// Tells each finding once, whatever better words it gets later.
 void SoakWatch::look_at_what_stays(Stamp now) {
-  for (const auto& [device, finding] : std::exchange(staying_, {})) {
+  for (auto& [device, one] : staying_) {
+    if (std::exchange(one.told, true)) continue;
     ++false_alarms_;
-    const auto account = diagnosis::account_of(finding, rig_.devices.at(device).name, start_);
+    const auto account = diagnosis::account_of(one.finding, rig_.devices.at(device).name, start_);
     add(fmt::format("still found at {:.0f} s: {}", measurement::seconds(now - start_),
                     diagnosis::line_of(account)));
   }
@@ -82,8 +83,10 @@ void SoakWatch::count_quiet(Stamp now) {
 }
 
 void SoakWatch::on_finding(const diagnosis::Finding& finding) {
-  staying_.erase(finding.device);
-  if (finding.until) return;
+  if (finding.until) {
+    staying_.erase(finding.device);
+    return;
+  }
   ++findings_;
   const bool of_surroundings = diagnosis::is_of_the_surroundings(finding.cause);
   if (of_surroundings) {
@@ -91,7 +94,7 @@ void SoakWatch::on_finding(const diagnosis::Finding& finding) {
     return;
   }
   if (!quiet(finding.found) || !bench_->faults.in_force(finding.found).empty()) {
-    staying_.emplace(finding.device, finding);
+    staying_[finding.device].finding = finding;
     return;
   }
   ++false_alarms_;

@@ -58,7 +58,11 @@ class SoakWatch final : public bench::Follower {
   std::optional<fault::RandomFaults> faults_;
   std::optional<rig_config::FaultConfig> next_;
   double rest_s_;
-  std::map<std::uint16_t, diagnosis::Finding> staying_;  ///< by device, while they last
+  struct Staying {
+    diagnosis::Finding finding;
+    bool told = false;
+  };
+  std::map<std::uint16_t, Staying> staying_;  ///< by device, while they last
   measurement::Stamp start_;
   std::vector<measurement::Stamp> trouble_until_;  ///< by device: until then its faults explain its
                                                    ///< state
