@@ -140,6 +140,14 @@ std::optional<bool> level_of(const Uri& uri, std::string_view key, std::string_v
   return text.empty() ? std::nullopt : std::optional(text == high);
 }
 
+/// Bytes from before the start have no time. A port that was plugged in since also echoed them to
+/// the sensor until it was set (tty_std_termios of Linux has ECHO): what is not sent yet stays
+/// here.
+void forget_what_came_before(int fd, const Ioctl& ioctl) {
+  const std::uintptr_t which = is_pty(fd) ? TCIFLUSH : TCIOFLUSH;
+  ioctl(fd, TCFLSH, std::bit_cast<void*>(which));
+}
+
 }  // namespace
 
 int kernel_ioctl(int fd, unsigned long request, void* argument) {
@@ -164,8 +172,7 @@ std::optional<LineRefusal> configure_line(int fd, const LineSettings& settings,
   if (auto refused = set_rs485(fd, settings.rs485_rts, ioctl)) return refused;
   if (auto refused = set_level(fd, TIOCM_DTR, "dtr", settings.dtr, ioctl)) return refused;
   if (auto refused = set_level(fd, TIOCM_RTS, "rts", settings.rts, ioctl)) return refused;
-  // Bytes from before the start have no time.
-  ioctl(fd, TCFLSH, std::bit_cast<void*>(std::uintptr_t{TCIFLUSH}));
+  forget_what_came_before(fd, ioctl);
   return std::nullopt;
 }
 

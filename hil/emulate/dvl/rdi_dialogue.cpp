@@ -21,6 +21,7 @@ constexpr std::string_view out_of_bounds = " ERR 001:  PARAMETER OUT OF BOUNDS\r
                            unknown = " ERR 010:  UNRECOGNIZED COMMAND\r\n>";
 constexpr std::size_t longest_line = 80, break_length = 3;
 constexpr std::chrono::minutes patience{5};
+constexpr std::chrono::milliseconds pause_before_break{100};
 
 // Bottom track, control, environment, performance, recorder, sensors, timing, water profile.
 constexpr std::string_view commands =
@@ -64,7 +65,8 @@ std::string said(std::string_view text) {
 void RdiDialogue::forget() { values_ = {{"PD", std::to_string(format_)}}; }
 
 std::string RdiDialogue::receive(std::span<const std::uint8_t> bytes, Stamp now, bool refuses) {
-  heard_at_ = now;
+  const bool paused = now - std::exchange(heard_at_, now) >= pause_before_break;
+  if (paused && bytes.size() == 1 && bytes[0] == 0) return wake();
   std::string answer;
   for (const std::uint8_t byte : bytes) answer += hear(static_cast<char>(byte), refuses);
   return answer;
@@ -73,7 +75,7 @@ std::string RdiDialogue::receive(std::span<const std::uint8_t> bytes, Stamp now,
 std::string RdiDialogue::hear(char c, bool refuses) {
   tail_ += c;
   if (tail_.size() > break_length) tail_.erase(0, 1);
-  if (c == '\0' || tail_ == "===" || tail_ == "+++") return wake();
+  if (tail_ == "===" || tail_ == "+++") return wake();
   if (state_ != State::listens) return {};
   const char before = std::exchange(before_, c);
   if (c == '\n' && before == '\r') return {};

@@ -6,7 +6,9 @@
 #include <linux/serial.h>
 #include <sys/ioctl.h>
 
+#include <bit>
 #include <cerrno>
+#include <cstdint>
 
 namespace drydock::link::testing {
 namespace {
@@ -20,6 +22,7 @@ struct FakePort {
   bool has_modem_lines = true, has_rs485 = true;
   int modem = TIOCM_DTR | TIOCM_RTS;  // the kernel raises both when a port is opened
   serial_rs485 rs485{};
+  std::uintptr_t flushed = ~std::uintptr_t{0};
 
   int operator()(int, unsigned long request, void* argument) {
     switch (request) {
@@ -34,6 +37,7 @@ struct FakePort {
       case TIOCMBIC: modem &= ~*static_cast<int*>(argument); return has_modem_lines ? 0 : none();
       case TIOCSRS485: rs485 = *static_cast<serial_rs485*>(argument); return has_rs485 ? 0 : none();
       case TIOCGRS485: *static_cast<serial_rs485*>(argument) = rs485; return has_rs485 ? 0 : none();
+      case TCFLSH: flushed = std::bit_cast<std::uintptr_t>(argument); return 0;
       default: return 0;
     }
   }
@@ -72,6 +76,13 @@ TEST(LineSettings, EveryKeyReachesThePort) {
     EXPECT_EQ(port.line.c_cflag & frame, flags) << keys;
     EXPECT_EQ(port.line.c_ospeed, 9600U);
   }
+}
+
+/// Until it is set, a port that was plugged in since echoes (tty_std_termios of Linux).
+TEST(LineSettings, NeitherWhatCameBeforeThemNorItsEchoGoesOn) {
+  FakePort port;
+  EXPECT_EQ(refusal(port, ""), "");
+  EXPECT_EQ(port.flushed, std::uintptr_t{TCIOFLUSH});
 }
 
 TEST(LineSettings, XonAndXoffAreTheUsualCharactersAndOnlyThenTakenOutOfTheBytes) {

@@ -77,10 +77,21 @@ TEST(RdiDialogue, ABreakStopsThePingsAndIsGreeted) {
 TEST(RdiDialogue, OtherBreaksAreHeardToo) {
   Host host;
   EXPECT_THAT(host.says("+++"), HasSubstr("[BREAK Wakeup A]"));
+  host.now += std::chrono::milliseconds{100};
   EXPECT_THAT(host.says(std::string(1, '\0')), HasSubstr("[BREAK Wakeup A]"));
   EXPECT_EQ(host.says("="), "=");
   EXPECT_EQ(host.says("="), "=");
   EXPECT_THAT(host.says("="), HasSubstr("[BREAK Wakeup A]"));
+}
+
+/// A port that is opened for the first time echoes its first bytes (tty_std_termios of Linux).
+TEST(RdiDialogue, ItsOwnBytesInAnEchoAreNoBreak) {
+  Host host;
+  host.ensembles(1);
+  const std::string echo = host.sent.at(0);
+  ASSERT_THAT(echo, HasSubstr(std::string(1, '\0')));
+  for (const char byte : echo) EXPECT_EQ(host.says({&byte, 1}), "");
+  EXPECT_EQ(host.ensembles(1), 5u);
 }
 
 TEST(RdiDialogue, EachLineIsEchoedAndAnsweredWithThePrompt) {
