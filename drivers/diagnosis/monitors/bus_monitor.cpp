@@ -155,7 +155,7 @@ void BusMonitor::watch_times(Usual& usual, const wire::CanFrame& frame, Stamp at
   const std::uint64_t data = first_bytes_of(frame);
   const bool same = std::exchange(usual.data, data) == data;
   measurement::Origin origin;
-  origin.received_at = at;
+  origin.received_at = origin.valid_at = at;
   Node* const node = owner_of(frame);
   if (node == nullptr) return;
   ++node->busy_frames;

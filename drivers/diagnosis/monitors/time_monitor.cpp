@@ -17,6 +17,12 @@ constexpr double away_s = 10;
 /// A frame waits so long while the other nodes of a sound bus have their turn: some 60 frames.
 constexpr double bus_waits_s = 0.03;
 
+/// On a slow line a longer sentence arrives later, and may become longer step by step. Without a
+/// time of the device's own, its values were true when it began (wire time).
+Stamp began(const measurement::Origin& origin) {
+  return origin.device_time ? origin.received_at : origin.valid_at;
+}
+
 }  // namespace
 
 TimeMonitor::TimeMonitor(const Expected& expected, SymptomSink& to)
@@ -89,7 +95,7 @@ void TimeMonitor::judge(Stream& stream, Raster::Arrival arrival, const measureme
   if (arrival.interval_s > away_s)
     interrupt(stream);
   else if (arrival.step != Step::first)
-    step(stream, arrival, at, same || same_time);
+    step(stream, arrival, origin, same || same_time);
   if (bus.held_s > 0) last_stream_.reset();  // what waits goes by its priority
   watch_order(stream, arrival.step, at);
 }
@@ -116,7 +122,9 @@ void TimeMonitor::watch_order(Stream& stream, Step step, Stamp at) {
   }
 }
 
-void TimeMonitor::step(Stream& stream, const Raster::Arrival& arrival, Stamp at, bool same) {
+void TimeMonitor::step(Stream& stream, const Raster::Arrival& arrival,
+                       const measurement::Origin& origin, bool same) {
+  const Stamp at = origin.received_at;
   stream.pattern.add(arrival, stream.raster.period_s());
   switch (arrival.step) {
     case Step::first: return;
@@ -128,7 +136,7 @@ void TimeMonitor::step(Stream& stream, const Raster::Arrival& arrival, Stamp at,
   tell_rate(stream, at);
   if (arrival.step != Step::regular) tell_pattern(stream, at);
   const bool on_raster = arrival.step == Step::regular || arrival.step == Step::missing;
-  if (on_raster) stream.rate.add(at, arrival.slots, stream.raster.period_s());
+  if (on_raster) stream.rate.add(began(origin), arrival.slots, stream.raster.period_s());
   if (arrival.step == Step::odd) stream.rate.interrupt();
   note_drift(stream.rate, at);
 }

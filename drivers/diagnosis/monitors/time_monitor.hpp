@@ -80,7 +80,8 @@ class TimeMonitor {
   };
 
   Stream* stream_of(std::uint32_t kind);
-  void step(Stream& stream, const Raster::Arrival& arrival, Stamp at, bool same);
+  void step(Stream& stream, const Raster::Arrival& arrival, const measurement::Origin& origin,
+            bool same);
   void note_first_time(const Raster& raster);
   void regular(Stream& stream, Stamp at);
   void pause(Stream& stream, const Raster::Arrival& arrival, Stamp at);

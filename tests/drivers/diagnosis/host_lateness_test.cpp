@@ -60,7 +60,7 @@ struct BusyComputer {
   void come(double at) {
     at = std::max(at, awake);
     measurement::Origin origin;
-    origin.received_at = at_s(at);
+    origin.received_at = origin.valid_at = at_s(at);
     monitor.take(1, origin, false, lateness.at(at_s(at)));
     monitor.look(at_s(at));
     ++messages;

@@ -19,7 +19,7 @@ struct TenHertz : testing::Test {
   void regular() { come(now += 0.1); }
   void come(double at, bool same = false) {
     measurement::Origin origin;
-    origin.received_at = at_s(at);
+    origin.received_at = origin.valid_at = at_s(at);
     monitor.take(1, origin, same);
     monitor.look(at_s(at));
   }
@@ -144,7 +144,7 @@ Signs from_the_start(const std::function<std::optional<double>(int)>& arrives_s)
     const auto at = arrives_s(i);
     if (!at) continue;
     measurement::Origin origin;
-    origin.received_at = at_s(*at);
+    origin.received_at = origin.valid_at = at_s(*at);
     monitor.take(1, origin, false);
     monitor.look(at_s(*at));
   }
@@ -186,6 +186,37 @@ TEST(FromTheStart, ABusyHostIsSound) {
   const Signs signs = from_the_start([&](int i) { return std::optional(0.2 * i + late(random)); });
   EXPECT_FALSE(signs.has(Sign::irregular));
   EXPECT_FALSE(signs.has(Sign::gaps));
+}
+
+/// A log at 1 Hz on a line of 4800 baud: 480 characters a second. Its sentences have as many as its
+/// numbers need, and its values were true when their sentence began.
+struct LogOnALine : testing::Test {
+  LogOnALine() { for_seconds(60, 35, 0); }
+  void for_seconds(int seconds, int characters, double begins_s) {
+    for (int i = 0; i < seconds; ++i) {
+      measurement::Origin origin;
+      origin.valid_at = at_s((now += 1) + begins_s);
+      origin.received_at = origin.valid_at + measurement::from_seconds(characters / 480.0);
+      monitor.take(1, origin, false);
+      monitor.look(origin.received_at);
+    }
+  }
+  Signs signs;
+  TimeMonitor monitor{
+      {.kind = measurement::Kind::emlog, .nominal_rate_hz = 1, .line_bytes_per_second = 480},
+      signs};
+  double now = 0;
+};
+
+TEST_F(LogOnALine, HasNoClockThatDriftsWhereItsNumbersBecomeLonger) {
+  for (int characters = 35; characters < 45; ++characters) for_seconds(4, characters, 0);
+  EXPECT_TRUE(signs.all.empty());
+}
+
+TEST_F(LogOnALine, DriftsWhereItsSentencesBeginLaterAndLater) {
+  for (int second = 0; second < 60; ++second) for_seconds(1, 35 + second % 3, 1e-3 * second);
+  ASSERT_TRUE(signs.has(Sign::clock_drift));
+  EXPECT_NEAR(signs.all.back().value, -1000, 10);
 }
 
 }  // namespace drydock::diagnosis::time_monitor_test
