@@ -61,15 +61,15 @@ void Group::note_alone(Witness& witness, double dt, std::size_t seen) {
 
 void Group::test(Witness& witness, Stamp at, std::size_t seen) const {
   if (value_ && seen > 1 && &witness != sole_ && witness.seen && witness.fresh) {
-    witness.test.take(
-        {.value = witness.value - *value_,
-         .rate = rate_,
-         .quantity = *value_,
-         .sigma = voters_ > 2 ? sigma_among_others(witness) : half_of_pair * worst_sigma_,
-         .shapes = voters_ > 2,
-         .pair = seen <= 2,
-         .at_fault = witness.at_fault},
-        at);
+    const double usual = voters_ > 2 ? sigma_among_others(witness) : half_of_pair * worst_sigma_;
+    witness.test.take({.value = witness.value - *value_,
+                       .rate = rate_,
+                       .quantity = *value_,
+                       .sigma = std::hypot(usual, shared_with_kin(witness)),
+                       .shapes = voters_ > 2,
+                       .pair = seen <= 2,
+                       .at_fault = witness.at_fault},
+                      at);
     witness.measure();
   }
   witness.present = witness.seen;
@@ -98,6 +98,17 @@ double Group::sigma_among_others(const Witness& witness) const {
   const double learned = voters_ > 3 ? usual : std::min(now, witness.spread);
   return now > learned ? std::sqrt(witness.sigma * witness.sigma + now * now - learned * learned)
                        : witness.sigma;
+}
+
+/// The deviation of the others of its kin, as far as its own goes to the same side.
+double Group::shared_with_kin(const Witness& witness) const {
+  if (!witness.test.facts().excused_by_kin || !witness.test.learned()) return 0;
+  Values others;
+  for (const Witness& other : witnesses_)
+    if (&other != &witness && other.kin && other.votes) others.push_back(other.test.deviation());
+  if (others.empty()) return 0;
+  const double shared = middle_of(others), own = witness.value - witness.test.offset() - *value_;
+  return shared * own > 0 ? std::min(std::abs(shared), std::abs(own)) : 0;
 }
 
 Devices Group::accused(const Witness& witness) const {

@@ -114,6 +114,7 @@ class Group {
   static void note_alone(Witness& witness, double dt, std::size_t seen);
   void test(Witness& witness, Stamp at, std::size_t seen) const;
   double sigma_among_others(const Witness& witness) const;
+  double shared_with_kin(const Witness& witness) const;
 
   double period_;
   boost::container::static_vector<Witness, most> witnesses_;

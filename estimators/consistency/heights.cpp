@@ -18,6 +18,7 @@ constexpr TestFacts sum_facts{.floor = 0.08,
                               .trend = 0.03,
                               .late_s = 0.1,
                               .sum_above = 0,
+                              .excused_by_kin = true,
                               .quantity = "integrated velocity down",
                               .unit = "m"};
 /// 1 sigma of roll and pitch that no device tells: a diving vehicle.

@@ -34,6 +34,8 @@ struct TestFacts {
   /// What is not known now errs by the same for some seconds and then passes: an offset that was
   /// learned meanwhile is not known better.
   bool passes = false;
+  /// What its kin deviate by as well is an error that they share, and no fault of a device.
+  bool excused_by_kin = false;
   /// It repeats one value while nothing happens: it has stopped if the others move from it.
   bool is_often_equal = false;
   std::string_view quantity, unit;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <numbers>
 #include <random>
 
@@ -129,6 +131,41 @@ TEST(Group, GivesOneVoteToWitnessesThatShareAnError) {
   const auto witnesses = group.witnesses();
   EXPECT_EQ(witnesses[0].test.suspicion() + witnesses[1].test.suspicion(), 0);
   EXPECT_TRUE(witnesses[2].test.fired() && witnesses[3].test.fired());
+}
+
+/// Two gauges of depth, and what three DVLs add up to, from the velocity `down_mps` from 60 s on.
+struct Dive {
+  Group group;
+  std::array<double, 3> down_mps{};
+
+  explicit Dive(std::array<double, 3> wrong_mps) : down_mps(wrong_mps) {
+    auto sum = facts_of(0.08, 0.03);
+    sum.sum_above = 0;
+    sum.excused_by_kin = true;
+    for (std::uint16_t k = 0; k < 5; ++k)
+      group.add({k}, k < 2 ? facts_of(0.08, 0.005) : sum, nullptr, k >= 2);
+    for (std::uint64_t i = 0; i < 450; ++i) {
+      const double t = 0.2 * static_cast<double>(i), wrong_s = std::max(0.0, t - 60);
+      for (std::size_t k = 0; k < 5; ++k) group.see(k, k < 2 ? 0 : down_mps[k - 2] * wrong_s, i);
+      group.settle(Stamp{measurement::from_seconds(1000 + t)}, 0.2,
+                   [](const Devices&) { return false; });
+    }
+  }
+  int fired() const {
+    return static_cast<int>(
+        std::ranges::count_if(group.witnesses(), [](const Witness& w) { return w.test.fired(); }));
+  }
+};
+
+/// The level that all of them take was wrong: a tilt of 2 degrees at 1.5 m/s.
+TEST(Group, DoubtsNoDvlForTheDirectionOfGravityThatAllShare) {
+  EXPECT_EQ(Dive({0.05, 0.052, 0.048}).fired(), 0);
+}
+
+TEST(Group, DoubtsADvlThatGoesItsOwnWay) {
+  const Dive dive({0, 0.05, 0});
+  EXPECT_EQ(dive.fired(), 1);
+  EXPECT_TRUE(dive.group.witnesses()[3].test.fired());
 }
 
 /// Three headings of a vehicle that turns by 6 degrees a second. From `lost_s` on, the third is a
