@@ -56,6 +56,12 @@ bool turned_away(const Levels::Unit& unit) {
          std::abs(farthest.deviation()) < std::abs(farthest.evidence().deviation) / 2;
 }
 
+/// The unit's force fits the level that another device tells: its gyro turned its own, in a moment.
+bool fits_another(std::uint16_t device, const Moment& moment, const Eigen::Vector3d& gravity) {
+  if (!moment.down || contains(moment.level_from, device)) return false;
+  return (units::standard_gravity * *moment.down - gravity).norm() < over_below_mps2;
+}
+
 }  // namespace
 
 Levels::Levels(Tracks& tracks) : tracks_(tracks) {
@@ -129,7 +135,9 @@ void Levels::step(Unit& unit, InertialUnit& inertial, const Moment& moment,
         .take({.value = difference[axis], .sigma = std::hypot(sigma, turned)}, moment.at);
   const bool settled = inertial.quick_difference() < over_below_mps2;
   const bool fits = accused && difference.norm() < over_below_mps2;
-  const bool over = settled && (fits || turned_away(unit));
+  const bool over =
+      settled && (fits || turned_away(unit) ||
+                  (accused && fits_another(unit.device, moment, acceleration - inertial.force())));
   unit.over_s = over ? unit.over_s + moment.dt : 0;
   const bool acquitted = accused && !any_fired(unit) && settled;
   const bool anew = unit.over_s > over_after_s;

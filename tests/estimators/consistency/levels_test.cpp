@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -39,21 +40,31 @@ class Vehicle {
   /// From now on what the other device tells of the acceleration is off by this.
   void misread(const Eigen::Vector3d& mps2) { misread_ = mps2; }
 
+  /// From now on another device tells the level.
+  void knows_level() { knows_level_ = true; }
+
   double most_suspicion() const { return most_suspicion_; }
+  double suspicion() const {
+    const auto& tests = levels_.units()[0].tests;
+    return std::ranges::max_element(tests, {}, &consistency::Test::suspicion)->suspicion();
+  }
 
  private:
   void step(const Eigen::Vector3d& acceleration) {
     const Stamp at = Stamp{} + from_seconds(t_s_ + 99.8);
+    Moment moment{.at = at, .dt = 0.2};
+    if (knows_level_) {
+      moment.down = Eigen::Vector3d::UnitZ();
+      moment.level_from.push_back(1);
+    }
     if (tracks_.units[0].advance(at))
-      levels_.step({.at = at, .dt = 0.2},
-                   knows_velocity_ ? std::optional(acceleration) : std::nullopt);
-    for (const Test& test : levels_.units()[0].tests)
-      most_suspicion_ = std::max(most_suspicion_, test.suspicion());
+      levels_.step(moment, knows_velocity_ ? std::optional(acceleration) : std::nullopt);
+    most_suspicion_ = std::max(most_suspicion_, suspicion());
   }
 
   Tracks tracks_{{}, {}, {}, {InertialUnit(0, {.rate_hz = 100})}, {}, {}, {}};
   Levels levels_{tracks_};
-  bool knows_velocity_;
+  bool knows_velocity_, knows_level_ = false;
   Eigen::Vector3d misread_ = Eigen::Vector3d::Zero();
   double t_s_ = 0, most_suspicion_ = 0, fall_mps2_ = 0;
   long samples_ = 0;
@@ -78,6 +89,21 @@ TEST(Levels, SeeAGyroThatIsOffByHalfADegreeASecondInSuchATurn) {
   vehicle.go(20, 0.114, {31 * degree_per_hour, 0, 0}, 6);
   vehicle.go(10, 0.114, {1800 * degree_per_hour, 0, 0}, 6);
   EXPECT_EQ(vehicle.most_suspicion(), 1);
+}
+
+/// A gyro whose samples came late or not at all in a turn: its level is off by 5 degrees, which
+/// looks like an accelerometer that is off by 0.84 m/s2, but for the level of another unit.
+TEST(Levels, BeginAnewBehindAMomentOfAGyroThatAnotherLevelContradicts) {
+  for (const bool knows_level : {false, true}) {
+    Vehicle vehicle;
+    if (knows_level) vehicle.knows_level();
+    vehicle.go(300, 0, none, 1);
+    vehicle.go(0.2, 0, {0, 25 * std::numbers::pi / 180, 0}, 1);
+    vehicle.go(3, 0, none, 1);
+    EXPECT_EQ(vehicle.suspicion(), 1);
+    vehicle.go(17, 0, none, 1);
+    EXPECT_EQ(vehicle.suspicion(), knows_level ? 0 : 1);
+  }
 }
 
 /// At 6 m/s and 0.15 rad/s the vehicle is pulled to starboard by 0.9 m/s2, which nobody else knows.
