@@ -9,9 +9,9 @@ namespace drydock::bench {
 class PilotInStep final : public shell::Actor {
  public:
   /// Throws as pilot::Pilot. `send` gets the frames for each bus.
-  PilotInStep(const rig_config::Rig& rig, measurement::Stamp start, pilot::OrderPorts::Send send,
-              pilot::OrderPorts::Say say)
-      : pilot_(rig, start, std::move(send), std::move(say)), start_(start) {}
+  PilotInStep(const rig_config::Rig& rig, measurement::Stamp start,
+              const pilot::OrderPorts::Send& send, pilot::OrderPorts::Say say)
+      : pilot_(rig, start, send, std::move(say)), start_(start) {}
 
   std::optional<measurement::Stamp> deadline() const override {
     return start_ ? start_ : pilot_.deadline();

@@ -15,9 +15,9 @@ constexpr std::chrono::seconds longest_silence{2};
 }  // namespace
 
 RealTimePilot::RealTimePilot(boost::asio::io_context& io, const rig_config::Rig& rig, Stamp start,
-                             OrderPorts::Send send, OrderPorts::Say say)
+                             const OrderPorts::Send& send, OrderPorts::Say say)
     : io_(io),
-      pilot_(rig, start, std::move(send), std::move(say)),
+      pilot_(rig, start, send, std::move(say)),
       clock_(std::make_shared<io::Signal>(io.get_executor())) {
   for (const std::string& link : pilot_.ports().links()) heard_at_[link];
 }

@@ -16,7 +16,7 @@ class RealTimePilot final : public host::Follower {
   /// Throws as Pilot. `send` puts a frame on a bus of the drivers. Rig and io_context must outlive
   /// it.
   RealTimePilot(boost::asio::io_context& io, const rig_config::Rig& rig, Stamp start,
-                OrderPorts::Send send, OrderPorts::Say say);
+                const OrderPorts::Send& send, OrderPorts::Say say);
 
   void start();
   void stop();
