@@ -67,6 +67,8 @@ class Cluster:
                  f"CPUs={cpus} RealMemory=4000 State=UNKNOWN" for i, n in enumerate(self.nodes)]
         config = self.folder / "slurm.conf"
         config.write_text(CONFIG.format(host=socket.gethostname(), folder=self.folder, port=port, nodes="\n".join(lines)))
+        # Nothing here uses cgroups; but only the old kind lets slurmd start where none are mounted, as in a chroot.
+        (self.folder / "cgroup.conf").write_text("CgroupPlugin=cgroup/v1\n")
         self.environment = {**os.environ, "SLURM_CONF": str(config)}
 
     def __enter__(self):
