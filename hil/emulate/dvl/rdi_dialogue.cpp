@@ -75,7 +75,8 @@ std::string RdiDialogue::receive(std::span<const std::uint8_t> bytes, Stamp now,
 std::string RdiDialogue::hear(char c, bool refuses) {
   tail_ += c;
   if (tail_.size() > break_length) tail_.erase(0, 1);
-  if (tail_ == "===" || tail_ == "+++") return wake();
+  const bool is_break = c == '\0' && state_ != State::pings;
+  if (is_break || tail_ == "===" || tail_ == "+++") return wake();
   if (state_ != State::listens) return {};
   const char before = std::exchange(before_, c);
   if (c == '\n' && before == '\r') return {};

@@ -14,10 +14,11 @@
 namespace drydock::emulate {
 
 /// The command line of a Teledyne RD Instruments DVL (Workhorse Commands and Output Data Format).
-/// It pings from power on. A break stops it: the characters === or +++, or the zero byte, alone
-/// after a pause, as which most ports read a break. Then it greets, echoes and answers each line,
-/// and shows the prompt ">". CS makes it ping again, and so do five minutes without a command. Its
-/// settings are told again and change nothing, but for BX, CB, CR, CK and CZ.
+/// It pings from power on. A break stops it: the characters === or +++, or the zero byte as which
+/// most ports read a break; while it pings, only one alone after a pause, since a port may echo
+/// ensembles. Then it greets, echoes and answers each line, and shows the prompt ">". CS makes it
+/// ping again, and so do five minutes without a command. Its settings are told again and change
+/// nothing, but for BX, CB, CR, CK and CZ.
 class RdiDialogue {
  public:
   /// `format`: the number of the output format (PD), which it keeps.
